@@ -134,6 +134,13 @@ pub enum Warning {
         /// The larger of shift and relative displacement of the step, divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
+    /// A component of a [bulk strain](crate::tangential::RelativeDisplacement::bulk_strain) times its amount exceeds 0.02 in magnitude,
+    /// whereas the model assumes small strains. Common causes are a strain in per cent and an amount in an inconsistent unit.
+    /// Relative displacements that were created from fields, and histories that were restored from bytes, do not have this warning.
+    LargeBulkStrain {
+        /// The largest magnitude of a component at the end of the step, in thousandths.
+        per_mille: usize,
+    },
     /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees.
     LargeTwist {
         /// The magnitude of the twist of the step, in tenths of a radian.
@@ -200,8 +207,8 @@ pub enum Warning {
     },
     /// The largest pressure exceeds half of the contact modulus
     /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), for coated bodies the modulus of the outermost
-    /// layers). Half-space theory assumes that strains are small. Common causes are an inconsistent unit of the modulus or the
-    /// load, and a mean pressure given as a force on a periodic grid.
+    /// layers). Half-space theory assumes that strains are small. Common causes are an inconsistent unit of the modulus, the
+    /// load or a [prescribed pressure](crate::PressureSource::Prescribed), and a mean pressure given as a force on a periodic grid.
     PressureBeyondModulus {
         /// The largest pressure divided by the contact modulus, in thousandths.
         per_mille: usize,
@@ -386,6 +393,12 @@ impl std::fmt::Display for Warning {
                 tenths / 10,
                 tenths % 10
             ),
+            Self::LargeBulkStrain { per_mille } => write!(
+                formatter,
+                "the bulk strain of the relative displacement is {}.{} %, expected at most 2 %: give a strain of 0.05 % as 0.0005, and check its amount; the model assumes small strains",
+                per_mille / 10,
+                per_mille % 10
+            ),
             Self::LargeTwist { tenths } => write!(
                 formatter,
                 "the twist of the step is {}.{} radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
@@ -426,7 +439,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::PressureBeyondModulus { per_mille } => write!(
                 formatter,
-                "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+                "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load (or prescribed pressure), and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
                 1e-3 * *per_mille as f64
             ),
             Self::PeriodicSeam {

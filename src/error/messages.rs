@@ -45,6 +45,9 @@ pub(crate) fn counted(count: usize, noun: &str) -> String {
     }
 }
 
+/// Relative difference at which a force equals its limit within round-off.
+const EQUAL: f64 = 1e-9;
+
 /// Returns the message for a tangential force beyond the friction capacity, with a remedy.
 pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     let remedy = if limit > 0.0 {
@@ -52,7 +55,12 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     } else {
         "give a positive coefficient of friction"
     };
-    format!("the tangential force {force:?} exceeds the friction limit {limit:?}: {remedy}")
+    let verb = if force > limit * (1.0 + EQUAL) {
+        "exceeds"
+    } else {
+        "reaches"
+    };
+    format!("the tangential force {force:?} {verb} the friction limit {limit:?}: {remedy}")
 }
 
 /// Returns the message for a normal force beyond the hardness, with a remedy.

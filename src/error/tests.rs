@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use crate::error::{
-    Error, Place, ROLL_UNDER_CAP, RankFailure, SLIDE, SLIDE_UNDER_CAP, with_remedy,
+    Error, Place, ROLL, ROLL_UNDER_CAP, RankFailure, SLIDE, SLIDE_UNDER_CAP, with_remedy,
 };
 use crate::report::{Report, Status};
 
@@ -248,6 +248,14 @@ fn every_error_has_its_text() {
                 remedy: SLIDE,
             },
             "the tangential force 3.0 exceeds the friction limit 2.5: prescribe a shift or a spring to let the body slide",
+        ),
+        (
+            Error::BeyondFrictionCapacity {
+                force: 18.0,
+                limit: 18.000_000_000_000_004,
+                remedy: ROLL,
+            },
+            "the tangential force 18.0 reaches the friction limit 18.000000000000004: prescribe the creepage, or lower the force",
         ),
         (
             Error::BeyondFrictionCapacity {

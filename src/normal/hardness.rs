@@ -121,10 +121,25 @@ impl Hardness {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the limits and the contact have different grids.
+    /// - [`Error::OutdatedSolution`] if the contact was solved with a different hardness, so that a pressure exceeds these limits, or
+    ///   that other cells yielded.
     /// - [`Error::Memory`] if memory runs out.
     pub fn overlap(&self, contact: &NormalSolution) -> Result<Field> {
         self.check(contact.grid())?;
         let (limits, pressure) = (self.limits(), contact.pressure().as_slice());
+        let cells = || pressure.iter().enumerate();
+        let reached = cells().filter(|(cell, pressure)| limits.are_reached(*cell, **pressure));
+        // On distributed bodies the yielded cells of all ranks are counted.
+        let is_whole = contact.share().is_none();
+        if (is_whole && reached.count() != contact.yielded_cells())
+            || cells().any(|(cell, pressure)| *pressure > limits.of(cell))
+        {
+            return Err(Error::OutdatedSolution {
+                quantity: "overlap",
+                changed: "the hardness",
+                remedy: "pass the hardness with which the contact was solved",
+            });
+        }
         let cells = contact.gap().as_slice().iter().zip(pressure).enumerate();
         let overlap = |(cell, (gap, pressure)): (usize, (&f64, &f64))| {
             if limits.are_reached(cell, *pressure) {

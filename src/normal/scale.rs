@@ -32,7 +32,6 @@ pub(crate) struct Scale {
 const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;
-const LARGEST_PRESSURE: usize = 500;
 
 /// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2.
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
@@ -144,9 +143,6 @@ impl Scale {
         let slope = Warning::SteepSurface {
             per_mille: slope_per_mille,
         };
-        let pressure = Warning::PressureBeyondModulus {
-            per_mille: pressure_per_mille,
-        };
         let [along_x, along_y] = seam_times.map(|times| times > LARGEST_SEAM);
         let seam = Warning::PeriodicSeam {
             along_x,
@@ -157,7 +153,7 @@ impl Scale {
             (approach_tenths > LARGEST_APPROACH).then_some(approach),
             (radius_per_mille > LARGEST_RADIUS).then_some(radius),
             (slope_per_mille > LARGEST_SLOPE).then_some(slope),
-            (pressure_per_mille > LARGEST_PRESSURE).then_some(pressure),
+            Warning::pressure_beyond(pressure_per_mille),
             (along_x || along_y).then_some(seam),
         ]
         .into_iter()

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Error, Result, all_finite, finite, non_negative, positive};
+use crate::error::{Error, Result, all_finite, at_least, finite, non_negative, positive};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
@@ -129,13 +129,15 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
 /// zero on the crests and $`2A`$ in the troughs.
 ///
 /// `amplitude` is $`A`$ and `wavelength` is $`\lambda`$ (lengths). This is the gap of Westergaard's problem. On a periodic
-/// half-space the wavelength must divide the side of the grid.
+/// half-space the wavelength must divide the side of the grid. A wave of exactly two cells is only sampled at its crests and troughs if
+/// the number of columns is odd. Otherwise its gap is uniform.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the amplitude or the wavelength is not positive and finite.
+/// - [`Error::BelowMinimum`] if the wavelength is shorter than two cells.
 pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
     positive("amplitude", amplitude)?;
-    positive("wavelength", wavelength)?;
+    check_wavelength(grid, 0, "wavelength", wavelength)?;
     sampled(grid, |x, _| {
         amplitude * (1.0 - (TAU * x / wavelength).cos())
     })
@@ -149,13 +151,30 @@ pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> 
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the amplitude or a wavelength is not positive and finite.
+/// - [`Error::BelowMinimum`] if a wavelength is shorter than two cells, unless the grid has only one cell along its axis.
 pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result<Field> {
     positive("amplitude", amplitude)?;
-    let along_x = positive("wavelength along x", wavelengths[0])?;
-    let along_y = positive("wavelength along y", wavelengths[1])?;
+    let [along_x, along_y] = wavelengths;
+    check_wavelength(grid, 0, "wavelength along x", along_x)?;
+    check_wavelength(grid, 1, "wavelength along y", along_y)?;
     sampled(grid, |x, y| {
         amplitude * (1.0 - (TAU * x / along_x).cos() * (TAU * y / along_y).cos())
     })
+}
+
+/// Checks that the cells along an axis resolve a wave. Cells longer than half a wave sample a false, longer wave.
+fn check_wavelength(
+    grid: Grid,
+    axis: usize,
+    quantity: &'static str,
+    wavelength: f64,
+) -> Result<()> {
+    positive(quantity, wavelength)?;
+    if grid.whole().size()[axis] > 1 {
+        let least = 2.0 * [grid.dx(), grid.dy()][axis];
+        at_least("two cells", least, quantity, wavelength)?;
+    }
+    Ok(())
 }
 
 /// Samples a height function at the cell centres.

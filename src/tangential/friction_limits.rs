@@ -60,10 +60,10 @@ impl PressureOnWindow {
         self.limits.set(friction, &self.region, &self.pressure);
     }
 
-    /// Returns the contact modulus of these bodies divided by the largest pressure, or `None` unless the pressure is low.
-    pub(crate) fn low_pressure(&self, bodies: &HalfSpace) -> Option<usize> {
+    /// Returns the warning about a pressure far below or above the contact modulus of these bodies.
+    pub(crate) fn pressure_warning(&self, bodies: &HalfSpace) -> Option<Warning> {
         let largest = reduce::max(self.region.layout(), |i| self.pressure[i]);
-        Warning::pressure_below(bodies.pair().contact_modulus() / largest)
+        Warning::of_pressure(largest / bodies.pair().contact_modulus())
     }
 
     /// Changes the friction and recomputes the limits.

@@ -7,6 +7,7 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::parallel::reduce;
 use crate::tangential::{Axis, TangentialModel};
+use crate::warning::Warning;
 
 /// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
 /// `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby contact.
@@ -53,12 +54,36 @@ impl TryFrom<RawRelativeDisplacement> for RelativeDisplacement {
     type Error = Error;
 
     fn try_from(read: RawRelativeDisplacement) -> Result<Self> {
-        all_finite("bulk strain", read.strain.as_flattened())?;
+        check_strain(read.strain)?;
         Ok(Self {
             strain: read.strain,
             ..Self::new(read.fields)?
         })
     }
+}
+
+/// Relative difference of the shear components that counts as round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Returns an error unless a strain is finite and symmetric.
+fn check_strain(strain: [[f64; 2]; 2]) -> Result<()> {
+    all_finite("bulk strain", strain.as_flattened())?;
+    let [[_, xy], [yx, _]] = strain;
+    if (xy - yx).abs() > ROUND_OFF * largest_component(strain) {
+        return Err(Error::Sample {
+            quantity: "bulk strain",
+            index: 2,
+            value: yx,
+            rule: "yx must equal xy (index 1): give half of the engineering shear strain as both, and a rotation as a twist",
+        });
+    }
+    Ok(())
+}
+
+/// Returns the largest magnitude of a component.
+fn largest_component(strain: [[f64; 2]; 2]) -> f64 {
+    let parts = strain.as_flattened().iter();
+    parts.fold(0.0, |largest, part| part.abs().max(largest))
 }
 
 clone_in_place!(RelativeDisplacement { fields, strain });
@@ -87,16 +112,19 @@ impl RelativeDisplacement {
 
     /// Creates the displacements $`w_i = \sum_j \varepsilon_{ij} x_j`$ of a uniform strain, zero at the origin of the
     /// grid. `strain` is the strain of body 1 minus the strain of body 2, with the components `[[xx, xy], [yx, yy]]`.
-    /// It is positive if body 1 is stretched.
+    /// It is positive if body 1 is stretched. The components xy and yx are equal, each half of the engineering shear strain. A
+    /// rotation is a twist. A component that exceeds 0.02 with its amount has the warning
+    /// [`LargeBulkStrain`](crate::Warning::LargeBulkStrain).
     ///
     /// If the grid is periodic along an axis of the strain, the displacement would jump from one period to the next.
-    /// Problems and histories then return [`Error::Sample`].
+    /// Problems and histories then return [`Error::Sample`]. For an antiplane strain on a grid that is periodic along y, create the
+    /// displacement along y with [`new`](Self::new).
     ///
     /// # Errors
-    /// - [`Error::Sample`] if a component is not finite.
+    /// - [`Error::Sample`] if a component is not finite, or if xy and yx differ.
     #[doc(alias = "bulk stress")]
     pub fn bulk_strain(grid: Grid, strain: [[f64; 2]; 2]) -> Result<Self> {
-        all_finite("bulk strain", strain.as_flattened())?;
+        check_strain(strain)?;
         let along =
             |[x_part, y_part]: [f64; 2]| Field::from_fn(grid, |x, y| x_part * x + y_part * y);
         let fields = strain.map(along);
@@ -114,6 +142,11 @@ impl RelativeDisplacement {
     #[must_use]
     pub fn fields(&self) -> [&Field; 2] {
         self.fields.each_ref()
+    }
+
+    /// Returns the largest component of the uniform strain times an amount, in thousandths, or `None` if it is small.
+    pub(crate) fn large_strain(&self, amount: f64) -> Option<usize> {
+        Warning::strain_beyond(amount.abs() * largest_component(self.strain))
     }
 
     /// Returns the largest magnitude along an axis (a length).

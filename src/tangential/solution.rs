@@ -54,12 +54,15 @@ record! {
             /// Friction capacity without the cap divided by the capacity, if the cap is low.
             #[cfg_attr(feature = "serde", serde(default))]
             cap_parts: Option<usize>,
-            /// Contact modulus divided by the largest prescribed pressure, if this pressure is low.
+            /// Warning about a prescribed pressure far below or above the contact modulus.
             #[cfg_attr(feature = "serde", serde(default))]
-            pressure_parts: Option<usize>,
+            pressure_warning: Option<Warning>,
             /// Largest relative displacement in the contact over the longest side of the grid, in tenths, if it is large.
             #[cfg_attr(feature = "serde", serde(default))]
             displacement_tenths: Option<usize>,
+            /// Largest component of the bulk strain in thousandths, if it is large.
+            #[cfg_attr(feature = "serde", serde(default))]
+            strain_per_mille: Option<usize>,
         }
         ignored {
             /// Sums that identify the pressure of the problem.
@@ -106,8 +109,9 @@ impl TangentialSolution {
             hides_slip: false,
             friction_tenths: None,
             cap_parts: None,
-            pressure_parts: None,
+            pressure_warning: None,
             displacement_tenths: None,
+            strain_per_mille: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
             whole: None,
@@ -135,6 +139,7 @@ impl TangentialSolution {
             self.enter(answer);
             self.pressed = answer.pressure_fingerprint(self.grid());
         });
+        self.strain_per_mille = relative.and_then(|relative| relative.large_strain(1.0));
         self.displacement_tenths = relative.and_then(|relative| {
             let contains = |cell: usize| self.zones[cell] != Zone::Separated;
             let displacement = |axis, cell| relative.at(axis, cell);
@@ -158,9 +163,9 @@ impl TangentialSolution {
         self.is_pressed_at_once = is_at_once;
     }
 
-    /// Sets the contact modulus divided by the largest prescribed pressure, or `None` unless this pressure is low.
-    pub(crate) fn set_low_pressure(&mut self, parts: Option<usize>) {
-        self.pressure_parts = parts;
+    /// Sets the warning about the prescribed pressure, or `None` for the pressure of a solved contact.
+    pub(crate) fn set_pressure_warning(&mut self, warning: Option<Warning>) {
+        self.pressure_warning = warning;
     }
 
     /// Returns the warning for a contact that was pressed in one step.
@@ -397,18 +402,17 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large twist, a large coefficient
-    /// of friction, a low cap of the friction and a low prescribed pressure.
+    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large bulk strain, a large twist, a large coefficient
+    /// of friction, a low cap of the friction and a low or high prescribed pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
-        let pressure = self.pressure_parts;
-        let pressure = pressure.map(|parts| Warning::LowPressure { parts });
-        let of_shift = shift.into_iter().chain(twist);
-        of_shift.chain(friction).chain(pressure)
+        let strain = Warning::of_strain(self.strain_per_mille);
+        let of_shift = shift.into_iter().chain(strain).chain(twist);
+        of_shift.chain(friction).chain(self.pressure_warning)
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

@@ -267,8 +267,8 @@ impl Model<TangentialSolution> for TangentialProblem {
         solution.fill(bodies, input, &answer, &engine.report);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);
-        let parts = || engine.increment.pressed.low_pressure(bodies);
-        solution.set_low_pressure(problem.is_prescribed.then(parts).flatten());
+        let of_pressure = || engine.increment.pressed.pressure_warning(bodies);
+        solution.set_pressure_warning(problem.is_prescribed.then(of_pressure).flatten());
         engine.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(engine.report.clone())))
     }

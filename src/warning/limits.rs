@@ -17,6 +17,9 @@ pub(crate) const THICKEST_LAYER: usize = 10;
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
+/// Largest component of a bulk strain without a warning, in tenths of a per cent.
+const LARGEST_STRAIN: usize = 20;
+
 /// Largest twist of a step without a warning, in tenths of a radian.
 const LARGEST_TWIST: usize = 2;
 
@@ -37,6 +40,9 @@ pub(super) const LOWEST_CAP: usize = 100;
 
 /// Largest contact modulus without a warning, in largest prescribed pressures.
 pub(super) const LOWEST_PRESSURE: usize = 10_000_000;
+
+/// Largest pressure without a warning, in thousandths of the contact modulus.
+const LARGEST_PRESSURE: usize = 500;
 
 /// Largest mean jump of a gap across a periodic border without a warning, in largest mean steps between neighbouring cells.
 pub(crate) const LARGEST_SEAM: usize = 5;
@@ -95,6 +101,16 @@ impl Warning {
         tenths_beyond(x.hypot(y) / grid.whole().longest_side(), LARGEST_SHIFT)
     }
 
+    /// Returns the warning for the magnitude of a bulk strain in thousandths, or `None` if the strain is small.
+    pub(crate) fn of_strain(per_mille: Option<usize>) -> Option<Self> {
+        per_mille.map(|per_mille| Self::LargeBulkStrain { per_mille })
+    }
+
+    /// Returns the magnitude of a bulk strain in thousandths, or `None` if the strain is small.
+    pub(crate) fn strain_beyond(strain: f64) -> Option<usize> {
+        tenths_beyond(100.0 * strain, LARGEST_STRAIN)
+    }
+
     /// Returns a twist in tenths of a radian, or `None` if the twist is small.
     pub(crate) fn twist_beyond(twist: f64) -> Option<usize> {
         tenths_beyond(twist.abs(), LARGEST_TWIST)
@@ -123,9 +139,22 @@ impl Warning {
         parts_beyond(ratio, LOWEST_CAP)
     }
 
-    /// Returns the ratio of the contact modulus to the largest pressure, or `None` if the ratio is common.
-    pub(crate) fn pressure_below(ratio: f64) -> Option<usize> {
-        parts_beyond(ratio, LOWEST_PRESSURE)
+    /// Returns the warning for a prescribed pressure with this ratio of its largest value to the contact modulus, or `None` if
+    /// the ratio is common.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the ratio is not negative, and a large one saturates"
+    )]
+    pub(crate) fn of_pressure(ratio: f64) -> Option<Self> {
+        let low = parts_beyond(1.0 / ratio, LOWEST_PRESSURE);
+        let low = low.map(|parts| Self::LowPressure { parts });
+        low.or_else(|| Self::pressure_beyond((1e3 * ratio).round() as usize))
+    }
+
+    /// Returns the warning for a largest pressure in thousandths of the contact modulus, or `None` if the pressure is common.
+    pub(crate) fn pressure_beyond(per_mille: usize) -> Option<Self> {
+        (per_mille > LARGEST_PRESSURE).then_some(Self::PressureBeyondModulus { per_mille })
     }
 
     /// Returns the warning about a large coefficient of friction, or about a low cap of the friction.

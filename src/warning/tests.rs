@@ -6,7 +6,7 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
+    ApproachBeyondGrid ShiftBeyondGrid LargeBulkStrain LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
     LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
@@ -125,6 +125,10 @@ fn every_warning_has_its_text() {
             "the shift or relative displacement of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of displacements and grid",
         ),
         (
+            Warning::LargeBulkStrain { per_mille: 52 },
+            "the bulk strain of the relative displacement is 5.2 %, expected at most 2 %: give a strain of 0.05 % as 0.0005, and check its amount; the model assumes small strains",
+        ),
+        (
             Warning::LargeTwist { tenths: 20 },
             "the twist of the step is 2.0 radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
         ),
@@ -166,7 +170,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::PressureBeyondModulus { per_mille: 750 },
-            "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+            "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load (or prescribed pressure), and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
         ),
         (
             Warning::PeriodicSeam {

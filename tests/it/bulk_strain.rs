@@ -392,6 +392,85 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
     kit::assert_refused! { RelativeDisplacement::new(fields) => Error::GridMismatch { .. } }
 }
 
+/// Round-off is accepted. Half of the engineering shear strain belongs into both corners.
+#[test]
+fn strain_that_is_not_symmetric_is_rejected() {
+    let grid = kit::square(8, 4.0);
+    for (strain, value) in [
+        ([[0.0, 2e-3], [0.0, 0.0]], 0.0),
+        ([[0.0, 0.0], [2e-3, 0.0]], 2e-3),
+        ([[0.0, 1e-3], [-1e-3, 0.0]], -1e-3),
+        ([[1.0, 1e-3], [1e-3 + 1e-11, 1.0]], 1e-3 + 1e-11),
+    ] {
+        let error = RelativeDisplacement::bulk_strain(grid, strain).unwrap_err();
+        let Error::Sample {
+            quantity: "bulk strain",
+            index: 2,
+            value: found,
+            rule,
+        } = error
+        else {
+            panic!("{error:?}");
+        };
+        assert!(found == value && rule.contains("half of the engineering shear strain"));
+    }
+    let rounded = [[1.0, 1e-3], [1e-3 + 1e-13, 1.0]];
+    assert!(RelativeDisplacement::bulk_strain(grid, rounded).is_ok());
+}
+
+/// A strain in per cent has the warning. A strain of 0.02 and arbitrary fields do not have it.
+#[test]
+fn bulk_strain_in_per_cent_gives_warning() {
+    let grid = Grid::square(16, 2.8).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = kit::sphere(grid, 20.0);
+    let force = NormalLoad::Force(0.07);
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, force));
+    let friction = || kit::coulomb(FRICTION);
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LargeBulkStrain { .. }))
+    };
+    for (strain, per_mille) in [
+        ([[0.02, 0.0], [0.0, -0.01]], None),
+        ([[0.05, 0.0], [0.0, 0.0]], Some(50)),
+        ([[0.0, -0.03], [-0.03, 0.01]], Some(30)),
+        ([[0.0, 0.0], [0.0, 1.0]], Some(1000)),
+    ] {
+        let expected = per_mille.map(|per_mille| Warning::LargeBulkStrain { per_mille });
+        let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+        let load = TangentialLoad::force([0.0; 2]);
+        let shear = |bulk: &RelativeDisplacement| {
+            let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
+            kit::solve(
+                shear
+                    .model(TangentialModel::Vector)
+                    .relative_displacement(bulk.clone()),
+            )
+        };
+        assert_eq!(stated(shear(&bulk).warnings()), expected);
+        let fields = bulk.fields().map(Field::clone);
+        let fields = RelativeDisplacement::new(fields).unwrap();
+        assert_eq!(stated(shear(&fields).warnings()), None);
+        let coupled = CoupledProblem::builder(&bodies, &gap, friction(), force, load);
+        let coupled = kit::solve(coupled.relative_displacement(bulk.clone()));
+        assert_eq!(stated(coupled.warnings()), expected);
+
+        let mut history = History::builder(&bodies, &gap, friction())
+            .model(TangentialModel::Vector)
+            .relative_displacement(RelativeDisplacement::bulk_strain(grid, strain).unwrap())
+            .build()
+            .unwrap();
+        let press = LoadStep::force([0.0; 2]).normal(force);
+        let mut stated = |load: &LoadStep| stated(history.step(load).unwrap().warnings());
+        assert_eq!(stated(&press), None);
+        assert_eq!(stated(&press.relative_displacement(0.01)), None);
+        assert_eq!(stated(&press.relative_displacement(-1.0)), expected);
+        // The amount is kept.
+        assert_eq!(stated(&LoadStep::hold()), expected);
+    }
+}
+
 /// On a periodic axis, a strain along the axis would make the displacement discontinuous between periods.
 #[test]
 fn strain_along_periodic_axis_is_rejected() {
@@ -409,9 +488,12 @@ fn strain_along_periodic_axis_is_rejected() {
             Boundary::PeriodicAlongY { .. } => [false, true],
             _ => [true; 2],
         };
-        for index in 0..4 {
-            let mut strain = [[0.0; 2]; 2];
-            strain.as_flattened_mut()[index] = 0.25;
+        // The first component along a periodic axis has this index.
+        for (strain, index) in [
+            ([[0.25, 0.0], [0.0, 0.0]], 0),
+            ([[0.0, 0.25], [0.25, 0.0]], if repeats[1] { 1 } else { 2 }),
+            ([[0.0, 0.0], [0.0, 0.25]], 3),
+        ] {
             let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
             let history = History::builder(&bodies, &gap, kit::coulomb(FRICTION))
                 .model(TangentialModel::Vector)
@@ -427,7 +509,13 @@ fn strain_along_periodic_axis_is_rejected() {
                     .relative_displacement(bulk)
                     .build();
             for error in [history.err(), shear.err(), coupled.err()] {
-                if repeats[index % 2] {
+                let is_refused = strain.iter().any(|row| {
+                    let parts = row.iter().zip(repeats);
+                    parts
+                        .into_iter()
+                        .any(|(part, repeats)| *part != 0.0 && repeats)
+                });
+                if is_refused {
                     let Some(Error::Sample {
                         quantity,
                         index: at,

@@ -177,6 +177,32 @@ fn yielded_contact_is_elastic_when_loaded_again() {
     }
 }
 
+/// The overlap of a contact that was solved with another hardness would be zero or belong to other cells.
+#[test]
+fn overlap_of_other_hardness_is_rejected() {
+    let grid = kit::square(24, 4.0);
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = kit::sphere(grid, 10.0);
+    let hertz = analytical::HertzSphere::new(bodies.pair(), 10.0, 0.1).unwrap();
+    let limit = |part: f64| part * hertz.max_pressure();
+    let uniform = |part: f64| Hardness::uniform(limit(part)).unwrap();
+    let contact = solved(&bodies, &ball, 0.1, &uniform(0.7));
+    assert!(uniform(0.7).overlap(&contact).unwrap().max() > 0.0);
+    // Equal limits per cell are accepted.
+    let of_cells = Hardness::per_cell(Field::constant(grid, limit(0.7))).unwrap();
+    assert!(of_cells.overlap(&contact).unwrap().max() > 0.0);
+    for part in [0.6, 0.69, 0.71, 2.0] {
+        kit::assert_refused! { uniform(part).overlap(&contact) => Error::OutdatedSolution { quantity: "overlap", .. } }
+    }
+    let elastic = kit::solve(NormalProblem::builder(
+        &bodies,
+        &ball,
+        NormalLoad::Force(0.1),
+    ));
+    kit::assert_refused! { uniform(0.7).overlap(&elastic) => Error::OutdatedSolution { .. } }
+    assert_eq!(uniform(1.2).overlap(&elastic).unwrap().max(), 0.0);
+}
+
 #[test]
 fn unreached_hardness_changes_nothing() {
     let grid = kit::square(40, 4.0);

@@ -9,7 +9,9 @@ use stickslip::influence::Direction::Z;
 use stickslip::kernel::Operators;
 use stickslip::normal::Hardness;
 use stickslip::ranks::Threads;
-use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem, SpinControl};
+use stickslip::rolling::{
+    CoupledRollingProblem, EntryRule, RollingControl, RollingProblem, SpinControl,
+};
 use stickslip::subsurface::Planes;
 use stickslip::surface::SelfAffine;
 use stickslip::tangential::RelativeDisplacement;
@@ -1182,6 +1184,62 @@ fn low_cap_of_friction_gives_warning_in_every_solution() {
         cycle.add(&history).unwrap();
         assert_eq!(stated(cycle.warnings()), expected);
     }
+}
+
+/// A pressure in Pa with moduli in MPa has the warning in tangential problems and in rolling. A solved pressure then removes it.
+#[test]
+fn high_prescribed_pressure_gives_warning() {
+    let bodies = bodies(16);
+    let normal = pressed(&bodies, &ball(&bodies), load());
+    let modulus = bodies.pair().contact_modulus();
+    let creepage = [1e-3, 0.0];
+    for (part, per_mille) in [(0.49, None), (0.6, Some(600)), (1e6, Some(1_000_000_000))] {
+        let expected = per_mille.map(|per_mille| Warning::PressureBeyondModulus { per_mille });
+        let stated = |warnings: Vec<Warning>| {
+            first_of(warnings, |w| {
+                matches!(w, Warning::PressureBeyondModulus { .. })
+            })
+        };
+        let factor = part * modulus / normal.pressure().max();
+        let mut field = normal.pressure().clone();
+        for p in field.as_mut_slice() {
+            *p *= factor;
+        }
+        let shift = TangentialLoad::shift([1e-3, 0.0]);
+        let problem = TangentialProblem::builder(&bodies, &field, friction(), shift);
+        let mut solver = problem.build().unwrap().into_solver().unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), expected);
+        solver.set_pressure(&normal).unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), None);
+        solver.set_pressure(&field).unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), expected);
+
+        let problem = RollingProblem::builder(&bodies, &normal, friction()).creepage(creepage);
+        let problem = problem.entry_rule(EntryRule::WholeStep).build().unwrap();
+        let mut solver = problem.into_solver().unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), None);
+        solver.set_pressure(&field).unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), expected);
+        let points = solver.creep_forces([[1e-3, 0.0, 0.0]]).unwrap();
+        assert_eq!(stated(points[0].warnings()), expected);
+        solver.set_pressure(&normal).unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), None);
+    }
+    // A low pressure in rolling has its warning, too.
+    let mut field = normal.pressure().clone();
+    for p in field.as_mut_slice() {
+        *p *= 1e-9 * modulus / normal.pressure().max();
+    }
+    let problem = RollingProblem::builder(&bodies, &normal, friction()).creepage(creepage);
+    let problem = problem.entry_rule(EntryRule::WholeStep).build().unwrap();
+    let mut solver = problem.into_solver().unwrap();
+    solver.set_pressure(&field).unwrap();
+    let warnings = kit::solved(&mut solver).warnings();
+    assert!(
+        warnings
+            .iter()
+            .any(|w| matches!(w, Warning::LowPressure { .. }))
+    );
 }
 
 /// A pressure in MPa with moduli in Pa has the warning. The same pressure of a solved contact does not.

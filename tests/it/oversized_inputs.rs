@@ -57,8 +57,8 @@ fn grid_beyond_any_memory_is_rejected() {
         surface::paraboloid(grid, [1.0, 0.0, 1.0]),
         surface::cone(grid, 0.1),
         surface::flat_punch(grid, 1.0, 1.0),
-        surface::sinusoidal(grid, 1.0, 1.0),
-        surface::bisinusoidal(grid, 1.0, [1.0, 1.0]),
+        surface::sinusoidal(grid, 1.0, 4.0),
+        surface::bisinusoidal(grid, 1.0, [4.0, 4.0]),
     ] {
         assert_eq!(bytes(shape), 8 * cells);
     }

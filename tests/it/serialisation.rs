@@ -109,7 +109,7 @@ fn loads_and_options_survive_serialisation() {
         }
     }
     assert_survives(&LoadPath::ellipse([0.1, 0.2], 0.3, 12).unwrap());
-    let strain = [[1e-3, 0.0], [2e-3 / 3.0, 0.0]];
+    let strain = [[1e-3, 2e-3 / 3.0], [2e-3 / 3.0, 0.0]];
     let bulk = RelativeDisplacement::bulk_strain(grid(), strain).unwrap();
     assert_survives(&bulk);
     let written = serde_json::to_value(&bulk).unwrap();
@@ -491,6 +491,8 @@ fn inconsistent_solutions_are_rejected() {
     }
 
     let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
+    let skewed = error_after_change(&bulk, "/strain/0/1", json!(1e-3));
+    assert!(skewed.contains("yx must equal xy"), "{skewed}");
     let strain = error_after_change(&bulk, "/strain/0/1", json!("NaN"));
     is(strain, "expected f64");
     let sample = error_after_change(&bulk, "/fields/0/samples/2", json!("NaN"));

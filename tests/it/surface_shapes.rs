@@ -39,6 +39,33 @@ fn shapes_touch_at_origin_without_overlap() {
     }
 }
 
+/// A wave of one cell would be a flat gap.
+#[test]
+fn waves_shorter_than_two_cells_are_rejected() {
+    let grid = grid();
+    let refused = |shape: Result<Field>, quantity: &'static str, least: f64, value: f64| {
+        let error = shape.unwrap_err();
+        let expected = Error::BelowMinimum {
+            quantity,
+            value,
+            least_is: "two cells",
+            least,
+        };
+        assert_eq!(error, expected);
+    };
+    for short in [0.1, 0.15, 0.199] {
+        refused(sinusoidal(grid, 1.0, short), "wavelength", 0.2, short);
+        let across = bisinusoidal(grid, 1.0, [short, 1.0]);
+        refused(across, "wavelength along x", 0.2, short);
+        let along = bisinusoidal(grid, 1.0, [1.0, 1.4 * short]);
+        refused(along, "wavelength along y", 0.3, 1.4 * short);
+    }
+    // The wave of two cells is accepted within round-off, and a single row does not resolve a wave across it.
+    assert!(sinusoidal(grid, 1.0, 0.2 * (1.0 - 1e-12)).is_ok());
+    let line = Grid::line(20, 0.1).unwrap();
+    assert!(bisinusoidal(line, 1.0, [1.0, 1e-3]).is_ok());
+}
+
 #[test]
 fn shapes_match_formulas() {
     let grid = grid();

@@ -30,9 +30,9 @@ fn shapes_with_invalid_parameters_are_rejected() {
     }
     let both = |amplitude, wavelengths| size(surface::bisinusoidal(grid, amplitude, wavelengths));
     kit::assert_all_checked! {
-        Positive "amplitude" => |value| both(value, [1.0; 2]),
-        Positive "wavelength along x" => |value| both(1.0, [value, 1.0]),
-        Positive "wavelength along y" => |value| both(1.0, [1.0, value]),
+        Positive "amplitude" => |value| both(value, [2.0; 2]),
+        Positive "wavelength along x" => |value| both(1.0, [value, 2.0]),
+        Positive "wavelength along y" => |value| both(1.0, [2.0, value]),
     }
     let curved = |curvatures| size(surface::paraboloid(grid, curvatures));
     assert_checked("curvature xx", Finite, |value| curved([value, 0.0, 1.0]));

@@ -416,6 +416,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LOW_PRESSURE = 32
     ! Warning: the gap jumps across the border of a periodic grid, as a tilted surface.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PERIODIC_SEAM = 33
+    ! Warning: a component of a bulk strain exceeds 0.02, as a strain in per cent.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_BULK_STRAIN = 34
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

@@ -355,6 +355,9 @@
 // Warning: the gap jumps across the border of a periodic grid, as a tilted surface.
 #define STICKSLIP_WARNING_PERIODIC_SEAM 33
 
+// Warning: a component of a bulk strain exceeds 0.02, as a strain in per cent.
+#define STICKSLIP_WARNING_LARGE_BULK_STRAIN 34
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 

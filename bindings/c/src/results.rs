@@ -177,6 +177,8 @@ pub const STICKSLIP_WARNING_OPEN_CYCLE: i32 = 31;
 pub const STICKSLIP_WARNING_LOW_PRESSURE: i32 = 32;
 /// Warning: the gap jumps across the border of a periodic grid, as a tilted surface.
 pub const STICKSLIP_WARNING_PERIODIC_SEAM: i32 = 33;
+/// Warning: a component of a bulk strain exceeds 0.02, as a strain in per cent.
+pub const STICKSLIP_WARNING_LARGE_BULK_STRAIN: i32 = 34;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -247,6 +249,7 @@ impl From<&Warning> for stickslip_warning {
             Warning::LowShearStress { .. } => (STICKSLIP_WARNING_LOW_SHEAR_STRESS, 0, 0),
             Warning::LowPressure { .. } => (STICKSLIP_WARNING_LOW_PRESSURE, 0, 0),
             Warning::PeriodicSeam { .. } => (STICKSLIP_WARNING_PERIODIC_SEAM, 0, 0),
+            Warning::LargeBulkStrain { .. } => (STICKSLIP_WARNING_LARGE_BULK_STRAIN, 0, 0),
             Warning::OpenCycle { .. } => (STICKSLIP_WARNING_OPEN_CYCLE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),

@@ -90,6 +90,12 @@ impl State {
         Warning::shift_beyond(bodies.grid(), [largest, 0.0])
     }
 
+    /// Returns the largest component of the bulk strain at the end of a step in thousandths, or `None` if it is small.
+    pub(in crate::history) fn large_strain(&self, load: &LoadStep) -> Option<usize> {
+        let relative = self.relative.as_ref()?;
+        relative.pattern.large_strain(relative.end(load))
+    }
+
     /// Returns whether the pattern has changed since the last step, so that the next step changes the displacement. A
     /// change of the pattern has no effect at the amount zero.
     pub(crate) fn is_relative_new(&self) -> bool {

@@ -108,6 +108,9 @@ impl History {
         }
         step.remarks.scale = state.normal.scale();
         step.remarks.hardness_parts = state.normal.low_hardness();
+        if !step.remarks.is_apart {
+            step.remarks.strain_per_mille = state.large_strain(load);
+        }
         if travel.is_none() && !step.remarks.is_apart {
             step.remarks.shift_tenths =
                 Warning::shift_beyond(state.grid(), moved).max(displacement_tenths);

@@ -37,6 +37,8 @@ pub(in crate::history) struct StepDiagnostics {
     pub(in crate::history) is_displacement_unused: bool,
     /// Largest shift of a step that is larger than the grid, over the longest side of the grid, in tenths.
     pub(in crate::history) shift_tenths: Option<usize>,
+    /// Largest component of the bulk strain that is not small, in thousandths.
+    pub(in crate::history) strain_per_mille: Option<usize>,
     /// Largest twist of a step that is not small, in tenths of a radian. Saved histories do not contain it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(in crate::history) twist_tenths: Option<usize>,
@@ -74,6 +76,7 @@ impl StepDiagnostics {
             lost_per_cent: self.lost_per_cent.max(other.lost_per_cent),
             is_displacement_unused: self.is_displacement_unused || other.is_displacement_unused,
             shift_tenths: self.shift_tenths.max(other.shift_tenths),
+            strain_per_mille: self.strain_per_mille.max(other.strain_per_mille),
             twist_tenths: self.twist_tenths.max(other.twist_tenths),
             creepage_per_cent: self.creepage_per_cent.max(other.creepage_per_cent),
             friction_tenths: self.friction_tenths.max(other.friction_tenths),
@@ -122,6 +125,7 @@ impl StepDiagnostics {
             .chain(zones)
             .chain(self.scale.warnings())
             .chain(shift)
+            .chain(Warning::of_strain(self.strain_per_mille))
             .chain(twist)
             .chain(creepage)
             .chain(friction)

@@ -25,13 +25,14 @@ pub struct CreepForce {
     /// Ratio of sticking cells to cells in contact.
     pub stick_ratio: f64,
     #[cfg_attr(feature = "serde", serde(default))]
-    remarks: [Option<Warning>; 3],
+    remarks: [Option<Warning>; 4],
 }
 
 impl CreepForce {
     /// Returns the warnings about the loads of the point: [`Warning::LargeCreepage`], [`Warning::LargeFriction`],
-    /// [`Warning::LowShearStress`] and [`Warning::NeglectedLift`]. [`RollingSolution::warnings`](crate::rolling::RollingSolution::warnings) also contains those
-    /// about the contact, which is the same at all points.
+    /// [`Warning::LowShearStress`] and [`Warning::NeglectedLift`]. For a prescribed pressure they include [`Warning::LowPressure`] or
+    /// [`Warning::PressureBeyondModulus`]. [`RollingSolution::warnings`](crate::rolling::RollingSolution::warnings) also contains
+    /// those about the contact, which is the same at all points.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.into_iter().flatten().collect()

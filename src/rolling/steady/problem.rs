@@ -20,6 +20,8 @@ use crate::tangential::{
 pub struct RollingProblem {
     pub(in crate::rolling) bodies: HalfSpace,
     pub(in crate::rolling) pressed: PressureOnWindow,
+    /// Whether the pressure is a field instead of a solved contact.
+    pub(in crate::rolling) is_prescribed: bool,
     pub(in crate::rolling) friction: Friction,
     pub(in crate::rolling) options: RollingOptions,
     pub(in crate::rolling) step: WindowShift,
@@ -33,7 +35,7 @@ pub struct RollingProblem {
     pub(in crate::rolling) drawn: [Vec<f64>; 2],
 }
 
-try_clone!(RollingProblem { pressed, friction, own, drawn } { bodies, options, step, length, chain });
+try_clone!(RollingProblem { pressed, friction, own, drawn } { bodies, is_prescribed, options, step, length, chain });
 
 shown!(RollingProblem: bodies, options, step);
 
@@ -190,6 +192,7 @@ impl RollingProblemBuilder<'_> {
             chain: step.chain(contact.size[options.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
+            is_prescribed: false,
             friction,
             options,
             step,

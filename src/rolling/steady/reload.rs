@@ -78,6 +78,7 @@ impl RollingSolver {
             wider.engine.press = self.engine.press.take();
             *self = wider;
         }
+        self.problem.is_prescribed = source.is_prescribed();
         self.engine.changed = Some("the pressure");
         if let Some(press) = &mut self.engine.press {
             press.is_present = false;

@@ -38,6 +38,9 @@ record! {
             /// Friction capacity without the cap divided by the capacity, if the cap is low.
             #[cfg_attr(feature = "serde", serde(default))]
             cap_parts: Option<usize>,
+            /// Warning about a prescribed pressure far below or above the contact modulus.
+            #[cfg_attr(feature = "serde", serde(default))]
+            pressure_warning: Option<Warning>,
             #[cfg_attr(feature = "serde", serde(default))]
             boundary: Boundary,
             /// Vector from the position of a particle after a step to the middle of its path.
@@ -75,6 +78,7 @@ impl RollingSolution {
             neglected_lift: None,
             friction_tenths: None,
             cap_parts: None,
+            pressure_warning: None,
             boundary: Boundary::default(),
             halfway: [0.0; 2],
             report: Report::with_room(),
@@ -99,6 +103,8 @@ impl RollingSolution {
         let pressed = &problem.pressed;
         let friction = problem.friction.within(&pressed.region);
         self.cap_parts = friction.low_cap(pressed.region.layout(), &pressed.pressure);
+        let of_pressure = || pressed.pressure_warning(&problem.bodies);
+        self.pressure_warning = problem.is_prescribed.then(of_pressure).flatten();
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
                 continue;
@@ -245,28 +251,30 @@ impl RollingSolution {
     }
 
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
-    /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`] and
-    /// [`Warning::LargeFriction`] or [`Warning::LowShearStress`].
+    /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`],
+    /// [`Warning::LargeFriction`] or [`Warning::LowShearStress`], and [`Warning::LowPressure`] or
+    /// [`Warning::PressureBeyondModulus`] for a prescribed pressure.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
         let map = ContactMap::of(self.grid(), self.boundary, contains, None);
         let mut warnings = unwrap_or_abort(map.warnings());
-        let [lift, creepage, friction] = self.load_warnings();
+        let [lift, creepage, friction, pressure] = self.load_warnings();
         warnings.extend(lift);
         warnings.extend(Warning::of_status(self.report.status));
-        warnings.extend(creepage.into_iter().chain(friction));
+        warnings.extend(creepage.into_iter().chain(friction).chain(pressure));
         warnings
     }
 
-    /// Returns the warnings about a neglected lift, a large creepage or spin, and a large coefficient of friction or a low cap of the
-    /// friction.
-    pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 3] {
+    /// Returns the warnings about a neglected lift, a large creepage or spin, a large coefficient of friction or a low cap of the
+    /// friction, and a low or high prescribed pressure.
+    pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 4] {
         let lift = self.neglected_lift;
         [
             lift.map(|per_million| Warning::NeglectedLift { per_million }),
             self.creepage_warning(),
             Warning::of_friction(self.friction_tenths, self.cap_parts),
+            self.pressure_warning,
         ]
     }
 

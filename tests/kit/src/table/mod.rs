@@ -224,8 +224,11 @@ impl Scene {
         amount: f64,
     ) -> Option<RelativeDisplacement> {
         let strain = pose.tensor(self.strain?);
-        let strain = strain.map(|row| row.map(|part| amount * part));
-        Some(RelativeDisplacement::bulk_strain(grid, strain).unwrap())
+        let fields = strain.map(|row| {
+            let [x_part, y_part] = row.map(|part| amount * part);
+            Field::from_fn(grid, |x, y| x_part * x + y_part * y)
+        });
+        Some(RelativeDisplacement::new(fields).unwrap())
     }
 
     /// Returns whether the tractions change the pressure.
