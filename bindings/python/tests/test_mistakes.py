@@ -582,6 +582,14 @@ def test_unstated_marks_of_missing_points_are_rejected():
     assert ss.io.csv.parse(text, cell=(1.0, 1.0), missing=np.nan)[1, 0] == -9999.0
 
 
+def test_relative_displacement_in_two_units_is_rejected():
+    grid = ss.Grid.square(4, 1.0)
+    along = {unit: ss.Field(grid, np.ones(grid.shape), unit) for unit in ("um", "mm")}
+    with pytest.raises(ValueError, match="have the units um and mm"):
+        ss.tangential.RelativeDisplacement(along["um"], along["mm"])
+    ss.tangential.RelativeDisplacement(along["um"], along["um"])
+
+
 def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
     history = scene.history()
     history.step(normal_force=FORCE)

@@ -5761,6 +5761,8 @@ class RelativeDisplacement:
     Raises
     ------
     GridMismatch, Sample, ArgumentType
+    ValueError
+        If the fields have different units.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
