@@ -590,6 +590,21 @@ def test_relative_displacement_in_two_units_is_rejected():
     ss.tangential.RelativeDisplacement(along["um"], along["um"])
 
 
+def test_labels_of_a_bulk_strain_are_recognised():
+    pandas = pytest.importorskip("pandas")
+    xarray = pytest.importorskip("xarray")
+    grid = ss.Grid.square(4, 1.0)
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain
+    expected = bulk(grid, [[1e-3, 2e-4], [2e-4, -3e-3]])
+    assert bulk(grid, pandas.DataFrame([[1e-3, 2e-4], [2e-4, -3e-3]])) == expected
+    for labels in (["x", "y"], ["y", "x"]):
+        values = [[1e-3, 2e-4], [2e-4, -3e-3]] if labels[0] == "x" else [[-3e-3, 2e-4], [2e-4, 1e-3]]
+        assert bulk(grid, pandas.DataFrame(values, labels, labels)) == expected
+        assert bulk(grid, xarray.DataArray(values, {"i": labels, "j": labels}, ("i", "j"))) == expected
+    with pytest.raises(TypeError, match="strain must have the labels x and y along both axes, got xx, yy"):
+        bulk(grid, pandas.DataFrame([[1e-3, 0.0], [0.0, 0.0]], ["xx", "yy"], ["xx", "yy"]))
+
+
 def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
     history = scene.history()
     history.step(normal_force=FORCE)

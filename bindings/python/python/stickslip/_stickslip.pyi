@@ -5774,6 +5774,7 @@ class RelativeDisplacement:
         """
         Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
         of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
+        The rows and columns of a table of pandas or an array of xarray are recognised by the labels x and y.
         """
     @property
     def fields(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
