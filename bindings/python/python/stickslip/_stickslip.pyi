@@ -1707,10 +1707,10 @@ class CoupledSolver:
         """
         Sets the gap of the next solve (lengths).
         """
-    def set_loads(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
+    def set_loads(self, /, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
         Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
-        length).
+        length). An omitted load keeps its last value.
         """
     @property
     def settings(self, /) -> Settings:
@@ -1721,7 +1721,8 @@ class CoupledSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
-        Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`.
+        Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`. The method accepts no loads: set them by
+        :meth:`set_loads`.
         """
 
 @final
