@@ -92,6 +92,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
             return parse_x3p(bytes);
         }
         text::check_encoding(Format("surface"), bytes)?;
+        asc::check_esri(Format("surface"), bytes, 0)?;
         if extension.eq_ignore_ascii_case("xyz") {
             return xyz::parse(bytes);
         }

@@ -4,6 +4,7 @@
 
 use std::path::Path;
 
+use super::asc::check_esri;
 use super::text::{Separator, check_encoding, lines};
 use super::{Place, missing, parse_file};
 use crate::error::{Error, Result};
@@ -239,6 +240,7 @@ struct SamplePoint {
 
 fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
     check_encoding(FORMAT, bytes)?;
+    check_esri(FORMAT, bytes, skip_rows)?;
     let mut separator = None;
     let mut width = 0;
     let mut points = Vec::new();

@@ -316,6 +316,52 @@ fn unstated_marks_of_missing_points_are_rejected() {
 }
 
 #[test]
+fn quoted_numbers_are_read() {
+    for text in [
+        "\"1.5\",\"2\"\n\"\",\" -4 \"\n",
+        "\"1,5\";\"2\"\n\"NaN\";\"-4\"\n",
+        "\"1,5\" \"2,0\"\n\"NaN\" -4\n",
+    ] {
+        let heights = io::csv::parse(text.as_bytes(), [1.0, 1.0]).unwrap();
+        assert_eq!(heights.as_slice()[..2], [1.5, 2.0], "{text}");
+        assert!(heights.as_slice()[2].is_nan() && heights.as_slice()[3] == -4.0);
+    }
+    let points = b"\"0\",\"0\",\"1.5\"\n\"1\",\"0\",\"2.5\"\n";
+    assert_eq!(io::xyz::parse(points).unwrap().as_slice(), [1.5, 2.5]);
+    // Commas in quotes would separate cells.
+    let refused = io::csv::parse(b"\"1,5\",\"2,5\"\n", [1.0, 1.0]).unwrap_err();
+    let expected = "is not a number: write the quoted numbers with decimal points, or separate them by semicolons";
+    assert!(refused.to_string().contains(expected), "{refused}");
+}
+
+#[test]
+fn esri_grids_are_rejected_with_the_options_that_read_them() {
+    let header = "ncols 3\r\nnrows 2\r\nxllcorner 0.0\r\nyllcorner 0.0\r\nCELLSIZE 0.5\r\nNODATA_value  -9999\r\n";
+    let file = format!("{header}1.5 2 3\r\n4 -9999 6\r\n");
+    let expected = "the file is an ESRI ASCII grid: read it as CSV by the options skip_rows = 6 and missing = -9999, and give the \
+                    cell side 0.5; its first line has the largest y";
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("esri.asc");
+    std::fs::write(&path, &file).unwrap();
+    for refused in [
+        io::csv::parse(file.as_bytes(), [0.5, 0.5]),
+        io::asc::parse(file.as_bytes()),
+        io::xyz::parse(file.as_bytes()),
+        io::read(path),
+    ] {
+        let refused = refused.unwrap_err().to_string();
+        assert!(refused.contains(expected), "{refused}");
+    }
+    let options = io::csv::Options::default().skip_rows(6).missing(-9999.0);
+    let heights = options.parse(file.as_bytes(), [0.5, 0.5]).unwrap();
+    assert!(heights.as_slice()[4].is_nan() && heights.as_slice()[5] == 6.0);
+    // The header may lack the mark.
+    let file = "NCOLS 2\nNROWS 1\nXLLCENTER 0\nYLLCENTER 0\nDX 2\nDY 1\n1 2\n";
+    let refused = io::csv::parse(file.as_bytes(), [2.0, 1.0]).unwrap_err();
+    let expected = "by the option skip_rows = 6, and give the cell sides; its";
+    assert!(refused.to_string().contains(expected), "{refused}");
+}
+
+#[test]
 fn csv_comments_of_missing_values_and_column_names_are_handled() {
     for comment in [
         "# NODATA_value: -9999",

@@ -8299,11 +8299,11 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
 
     A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
-    ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-    coordinates in the first row and column. Nine or more coordinates in the first row or column alone are also rejected, unless
-    another row or column is evenly spaced, as on an inclined surface. Fewer coordinates are read as heights: skip them by
-    ``skip_rows=1`` or ``skip_columns=1``.
+    ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers may be in quotes.
+    Numbers that may be labels are also rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to
+    other decimals, and evenly spaced coordinates in the first row and column. Nine or more coordinates in the first row or
+    column alone are also rejected, unless another row or column is evenly spaced, as on an inclined surface. Fewer
+    coordinates are read as heights: skip them by ``skip_rows=1`` or ``skip_columns=1``.
 
     Parameters
     ----------
