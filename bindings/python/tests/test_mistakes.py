@@ -605,6 +605,26 @@ def test_labels_of_a_bulk_strain_are_recognised():
         bulk(grid, pandas.DataFrame([[1e-3, 0.0], [0.0, 0.0]], ["xx", "yy"], ["xx", "yy"]))
 
 
+def test_marks_of_missing_points_of_xarray_are_missing_heights():
+    xarray = pytest.importorskip("xarray")
+    along = {"y": [0.0, 1.0], "x": [0.0, 1.0]}
+    for kind in (np.float64, np.float32):
+        for mark in (-9999.0, 1e20):
+            for place in ("attrs", "encoding"):
+                for name in ("_FillValue", "missing_value"):
+                    array = xarray.DataArray(np.array([[1.5, mark], [2.5, 4.0]], kind), along, ("y", "x"))
+                    setattr(array, place, {name: mark})
+                    field = ss.io.from_xarray(array)
+                    assert np.isnan(field[0, 1]) and field[1, 0] == 2.5
+                    assert array.values[0, 1] == kind(mark)
+    array = xarray.DataArray(np.array([[1, -32768], [-1, 4]], np.int16), along, ("y", "x"), attrs={"missing_value": [-32768, -1]})
+    assert np.isnan(ss.io.from_xarray(array).array).tolist() == [[False, True], [True, False]]
+    # The marks of packed numbers are no heights.
+    array = xarray.DataArray([[1.0, 0.0], [2.0, 4.0]], along, ("y", "x"))
+    array.encoding = {"_FillValue": 0, "scale_factor": 0.1}
+    assert ss.io.from_xarray(array)[0, 1] == 0.0
+
+
 def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
