@@ -40,8 +40,11 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none). NaN states
-    /// that all numbers are heights.
+    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none). Magnitudes from
+    /// 1e30 match with a relative tolerance of 1e-5.
+    ///
+    /// Other numbers that may be marks are still rejected. NaN states that all numbers are heights. Read a file with several
+    /// marks in this way, and replace the marks afterwards.
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -148,9 +151,8 @@ impl Options {
             self.check_labels(&spelling, &samples, width, first_line)?;
         }
         let mark = missing::mark(FORMAT, bytes, self.missing, &samples.iter().copied())?;
-        if let Some(is_missing) = mark.map(missing::is) {
-            let marked = samples.iter_mut().filter(|sample| is_missing(sample));
-            marked.for_each(|sample| *sample = f64::NAN);
+        if let Some(mark) = mark {
+            missing::remove(mark, samples.iter_mut());
         }
         let grid = FORMAT.grid(
             Place::Line(1),
@@ -461,7 +463,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   [`asc`](super::asc).
 /// - [`Error::Format`], with the options that read the file, if it starts with the header of an ESRI ASCII grid.
 /// - [`Error::Format`] if a number may mark missing points, as -9999, -32768 or 1e20, but neither a comment nor
-///   [`Options::missing`] states the mark. Such a number is farther from the other numbers than four fifths of them are apart.
+///   [`Options::missing`] states this mark. Any magnitude from 1e30 may be a mark, such as the largest number in single
+///   precision. Such a number is farther from the other numbers than four fifths of them are apart.
 ///
 /// ```
 /// use stickslip::io::csv;

@@ -39,8 +39,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none). NaN states
-    /// that all numbers are heights.
+    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none), as
+    /// [`csv::Options::missing`](super::csv::Options::missing). NaN states that all numbers are heights.
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -69,9 +69,8 @@ impl Options {
         let mut points = points(bytes, self.skip_rows)?;
         let heights = points.iter().map(|point| point.height);
         let mark = missing::mark(FORMAT, bytes, self.missing, &heights)?;
-        if let Some(is_missing) = mark.map(missing::is) {
-            let marked = points.iter_mut().filter(|point| is_missing(&point.height));
-            marked.for_each(|point| point.height = f64::NAN);
+        if let Some(mark) = mark {
+            missing::remove(mark, points.iter_mut().map(|point| &mut point.height));
         }
         gridded(&points)
     }

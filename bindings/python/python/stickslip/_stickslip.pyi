@@ -8312,8 +8312,9 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
     missing : float, optional
-        The value that marks a missing point (default: the value that a comment states, or none). Without either, a value
-        that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights. The comment consists of
+        The value that marks a missing point (default: the value that a comment states, or none). Other values that may be
+        such marks, as -9999 or any magnitude from 1e30, are rejected; NaN states that all numbers are heights. Read a file with
+        several marks in this way, and replace the marks in its array. The comment consists of
         a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
         value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
         lower case, with any separators between words or none.
@@ -8597,12 +8598,12 @@ def npy_grid(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     Returns the grid of an NPY file without reading its samples.
     """
 
-def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
+def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of an NPY file; see :func:`read`.
     """
 
-def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
+def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from an NPY file.
 
@@ -8612,6 +8613,9 @@ def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
         The file.
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
+    missing : float, optional
+        The value that marks a missing point (default: none). Other values that may be such marks, as -9999, are rejected by the
+        rule of :func:`stickslip.io.csv.read`. NaN states that all numbers are heights.
     unit : str, optional
         The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
     height_unit : str, optional
@@ -8873,8 +8877,8 @@ def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_ro
     path : path_like
         The file.
     missing : float, optional
-        The height that marks a missing point (default: the value that a comment states, or none). Without either, a height
-        that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights.
+        The height that marks a missing point (default: the value that a comment states, or none). Other heights that may be
+        such marks, as -9999, are rejected by the rule of :func:`stickslip.io.csv.read`. NaN states that all numbers are heights.
     skip_rows : int, default 0
         Number of lines before the points.
     unit : str, optional
