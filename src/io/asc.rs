@@ -70,6 +70,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     if is_gwyddion(bytes) {
         return parse_gwyddion(bytes);
     }
+    check_esri(FORMAT, bytes, 0)?;
     if !is_asc(bytes) {
         return Err(FORMAT.on_line(1, "the file does not start with # File Format = ASCII"));
     }
@@ -131,6 +132,44 @@ pub(super) fn is_gwyddion(bytes: &[u8]) -> bool {
     !is_asc(bytes)
         && entry(&header, ':', "Width").is_some()
         && entry(&header, ':', "Height").is_some()
+}
+
+/// Returns an error with the options that read a file, if it starts with the header of an ESRI ASCII grid, which is not skipped.
+pub(super) fn check_esri(format: Format, bytes: &[u8], skip_rows: usize) -> Result<()> {
+    const FIRST: [&str; 2] = ["ncols", "nrows"];
+    const OTHERS: [&str; 8] = [
+        "xllcorner",
+        "xllcenter",
+        "yllcorner",
+        "yllcenter",
+        "cellsize",
+        "dx",
+        "dy",
+        "nodata_value",
+    ];
+    let lines = without_mark(bytes).split(|&byte| byte == b'\n');
+    let entry = |line: &[u8]| {
+        let line = String::from_utf8_lossy(line.get(..64).unwrap_or(line)).to_ascii_lowercase();
+        let (key, value) = line.trim().split_once(char::is_whitespace)?;
+        let is_key = FIRST.contains(&key) || OTHERS.contains(&key);
+        is_key.then(|| (key.to_owned(), value.trim().to_owned()))
+    };
+    let header: Vec<_> = lines.map_while(entry).collect();
+    let value = |key: &str| Some(&header.iter().find(|(name, _)| name == key)?.1);
+    let rows = header.len();
+    if skip_rows >= rows || FIRST.iter().any(|key| value(key).is_none()) {
+        return Ok(());
+    }
+    let options = match value("nodata_value") {
+        Some(mark) => format!("options skip_rows = {rows} and missing = {mark}"),
+        None => format!("option skip_rows = {rows}"),
+    };
+    let sides =
+        value("cellsize").map_or_else(|| "cell sides".into(), |side| format!("cell side {side}"));
+    let problem = format!(
+        "the file is an ESRI ASCII grid: read it as CSV by the {options}, and give the {sides}; its first line has the largest y"
+    );
+    Err(format.on_line(1, problem))
 }
 
 fn parse_gwyddion(bytes: &[u8]) -> Result<Field> {

@@ -7,7 +7,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::asc::is_asc;
+use super::asc::{check_esri, is_asc};
 use super::text::{Separator, check_encoding, excerpt, lines};
 use super::{Place, Sides, missing, parse_file, write_bytes};
 use crate::error::{Error, Result};
@@ -40,8 +40,11 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none). NaN states
-    /// that all numbers are heights.
+    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none). Magnitudes from
+    /// 1e30 match with a relative tolerance of 1e-5.
+    ///
+    /// Other numbers that may be marks are still rejected. NaN states that all numbers are heights. Read a file with several
+    /// marks in this way, and replace the marks afterwards.
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -103,6 +106,7 @@ impl Options {
                 "the header contains sides, unit and missing points: read the file as ASC";
             return Err(FORMAT.on_line(1, problem));
         }
+        check_esri(FORMAT, bytes, self.skip_rows)?;
         let (mut samples, mut width) = (Vec::new(), 0);
         let mut spelling = Spelling::default();
         let (mut separator, mut first_line) = (None, 0);
@@ -147,9 +151,8 @@ impl Options {
             self.check_labels(&spelling, &samples, width, first_line)?;
         }
         let mark = missing::mark(FORMAT, bytes, self.missing, &samples.iter().copied())?;
-        if let Some(is_missing) = mark.map(missing::is) {
-            let marked = samples.iter_mut().filter(|sample| is_missing(sample));
-            marked.for_each(|sample| *sample = f64::NAN);
+        if let Some(mark) = mark {
+            missing::remove(mark, samples.iter_mut());
         }
         let grid = FORMAT.grid(
             Place::Line(1),
@@ -201,7 +204,11 @@ fn rejected(
     let is_name = cell.starts_with(|first: char| first.is_alphabetic() || "\"'_".contains(first));
     let rows = format!(": skip header lines by the option skip_rows = {line}");
     let columns = format!("skip row names by the option skip_columns = {column}");
+    let is_split = cell.contains('"') && cell.contains(|inner: char| inner.is_ascii_digit());
     let remedy = match (is_first_line, is_first_column) {
+        _ if is_split => {
+            ": write the quoted numbers with decimal points, or separate them by semicolons".into()
+        }
         (true, true) if is_name => format!("{rows}, or {columns}"),
         (true, false) if is_name => rows,
         (false, true) if is_name => format!(": {columns}"),
@@ -426,6 +433,7 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - Cells are separated by semicolons, tabs, commas or white space. The separator of the file is the first of these,
 ///   in this order, that occurs in the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
+/// - Cells may be in quotes, as `"1.5"`.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
 ///   `# NODATA_value -9999` sets the value of missing points. Such a comment consists of a name, then `=`, `:` or a space,
 ///   and a single number. The name is `missing`, `missing value`, `no data`, `no data value`, `bad value`,
@@ -453,8 +461,10 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   first line, if the first line or column may be labels, or if the lines may be points.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).
+/// - [`Error::Format`], with the options that read the file, if it starts with the header of an ESRI ASCII grid.
 /// - [`Error::Format`] if a number may mark missing points, as -9999, -32768 or 1e20, but neither a comment nor
-///   [`Options::missing`] states the mark. Such a number is farther from the other numbers than four fifths of them are apart.
+///   [`Options::missing`] states this mark. Any magnitude from 1e30 may be a mark, such as the largest number in single
+///   precision. Such a number is farther from the other numbers than four fifths of them are apart.
 ///
 /// ```
 /// use stickslip::io::csv;

@@ -1,4 +1,4 @@
-//! Numbers that mark missing points in text files.
+//! Numbers that mark missing points in text files and arrays.
 
 use super::text::comments;
 use crate::error::{Result, counted};
@@ -17,9 +17,8 @@ const NAMES: [&str; 8] = [
     "voidvalue",
 ];
 
-/// Magnitudes of numbers that programs write for a missing point. The last four are the largest number in single precision with
-/// different numbers of digits.
-const MARKS: [f64; 16] = [
+/// Magnitudes of numbers that programs write for a missing point, the smallest first. The last number is 1e20 in single precision.
+const MARKS: [f64; 11] = [
     999.0,
     9999.0,
     10_000.0,
@@ -30,19 +29,20 @@ const MARKS: [f64; 16] = [
     2_147_483_647.0,
     2_147_483_648.0,
     1e20,
-    1e30,
-    1.70141e38,
-    3.402_823e38,
-    3.402_823_5e38,
-    3.402_823_47e38,
-    3.402_823_466_385_288_6e38,
+    1.000_000_020_040_877_3e20,
 ];
 
-/// Returns the number that marks the missing points of a file. It is the given number, or else the number that a comment
+/// Smallest magnitude of numbers that may mark missing points whatever their digits are, such as the largest number in single
+/// precision.
+const HUGE: f64 = 1e30;
+/// Largest relative difference of huge numbers that represent the same mark, because files contain different numbers of digits.
+const DIGITS: f64 = 1e-5;
+
+/// Returns the number that marks the missing points of a text. It is the given number, or else the number that a comment
 /// states.
 ///
 /// # Errors
-/// - A format error if the mark is neither given nor stated, but one of the numbers may be a mark.
+/// - A format error if another number may be a mark.
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
 pub(super) fn mark<I: Iterator<Item = f64> + Clone>(
     format: Format,
@@ -51,18 +51,38 @@ pub(super) fn mark<I: Iterator<Item = f64> + Clone>(
     numbers: &I,
 ) -> Result<Option<f64>> {
     let mark = given.or_else(|| comments(bytes).find_map(|comment| stated(&comment)));
-    if mark.is_some() {
-        return Ok(mark);
+    match problem(mark, numbers)? {
+        Some(problem) => Err(format.on_line(1, problem)),
+        None => Ok(mark),
     }
-    let Some(suspect) = suspect(numbers)? else {
+}
+
+/// Returns the problem if a number other than the mark may also be a mark. NaN as the mark states that all numbers are heights.
+///
+/// # Errors
+/// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+pub(super) fn problem<I: Iterator<Item = f64> + Clone>(
+    mark: Option<f64>,
+    numbers: &I,
+) -> Result<Option<String>> {
+    if mark.is_some_and(f64::is_nan) {
+        return Ok(None);
+    }
+    let is_height = |number: &f64| !number.is_nan() && !mark.is_some_and(|mark| is(mark)(number));
+    let heights = numbers.clone().filter(is_height);
+    let Some(suspect) = suspect(&heights)? else {
         return Ok(None);
     };
-    let count = numbers.clone().filter(is(suspect)).count();
-    let problem = format!(
-        "{} with the value {suspect:?} may mark missing points: set the option missing to {suspect:?}, or to NaN if these are heights",
-        counted(count, "number")
-    );
-    Err(format.on_line(1, problem))
+    let count = counted(heights.filter(is(suspect)).count(), "number");
+    Ok(Some(match mark {
+        None => format!(
+            "{count} with the value {suspect:?} may mark missing points: set the option missing to {suspect:?}, or to NaN if these are heights"
+        ),
+        Some(mark) => format!(
+            "{count} with the value {suspect:?} may mark missing points, besides the mark {mark:?}: set the option missing to \
+             {suspect:?}, or to NaN to read all numbers as heights"
+        ),
+    }))
 }
 
 /// Returns a function that tests whether a number is a mark.
@@ -70,31 +90,63 @@ pub(super) fn mark<I: Iterator<Item = f64> + Clone>(
     clippy::float_cmp,
     reason = "the digits in the file are those of the mark"
 )]
-pub(super) fn is(mark: f64) -> impl Fn(&f64) -> bool {
-    move |&number| number == mark
+fn is(mark: f64) -> impl Fn(&f64) -> bool {
+    move |&number| {
+        let is_near = || is_huge(number) && (number / mark - 1.0).abs() <= DIGITS;
+        number == mark || is_huge(mark) && is_near()
+    }
 }
 
-/// Returns a number that is a usual mark and farther from the other numbers than four fifths of them are apart.
+/// Replaces the heights that equal a mark by NaN.
+pub(super) fn remove<'a>(mark: f64, heights: impl Iterator<Item = &'a mut f64>) {
+    let marked = heights.filter(|height| is(mark)(height));
+    marked.for_each(|height| *height = f64::NAN);
+}
+
+fn is_huge(number: f64) -> bool {
+    number.is_finite() && number.abs() >= HUGE
+}
+
+/// Returns a number that may be a mark. It is huge or a usual mark, and farther from the other numbers than four fifths of them
+/// are apart. The numbers must not be NaN.
 fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> {
-    let marks = MARKS.into_iter().flat_map(|mark| [-mark, mark]);
-    for mark in marks.filter(|mark| numbers.clone().any(|number| is(*mark)(&number))) {
-        let others = numbers
-            .clone()
-            .filter(|number| !number.is_nan() && !is(mark)(number));
-        let mut sorted = fallible::with_room(others.clone().count())?;
-        sorted.extend(others);
-        sorted.sort_unstable_by(f64::total_cmp);
-        let last = sorted.len().saturating_sub(1);
-        let (Some(low), Some(high)) = (sorted.get(last / 10), sorted.get(last - last / 10)) else {
-            continue;
-        };
-        // Spikes do not widen this range.
-        let nearest = sorted.iter().map(|number| (number - mark).abs());
-        if nearest.fold(f64::INFINITY, f64::min) > high - low {
-            return Ok(Some(mark));
+    if let Some(huge) = numbers.clone().find(|&number| is_huge(number)) {
+        // Other huge numbers may be further marks.
+        let others = numbers.clone().filter(|&number| !is_huge(number));
+        if is_apart(huge, &others)? {
+            return Ok(Some(huge));
+        }
+    }
+    let mut is_present = [[false; 2]; MARKS.len()];
+    for number in numbers.clone().filter(|number| number.abs() >= MARKS[0]) {
+        let position = MARKS.iter().position(|&mark| is(mark)(&number.abs()));
+        if let Some(index) = position {
+            is_present[index][usize::from(number > 0.0)] = true;
+        }
+    }
+    for (mark, is_present) in MARKS.into_iter().zip(is_present) {
+        for mark in [-mark, mark] {
+            let others = numbers.clone().filter(|number| !is(mark)(number));
+            if is_present[usize::from(mark > 0.0)] && is_apart(mark, &others)? {
+                return Ok(Some(mark));
+            }
         }
     }
     Ok(None)
+}
+
+/// Returns whether a number is farther from the other numbers than four fifths of them are apart.
+fn is_apart<I: Iterator<Item = f64> + Clone>(mark: f64, others: &I) -> Result<bool> {
+    let mut sorted = fallible::with_room(others.clone().count())?;
+    sorted.extend(others.clone());
+    sorted.sort_unstable_by(f64::total_cmp);
+    let last = sorted.len().saturating_sub(1);
+    let (Some(low), Some(high)) = (sorted.get(last / 10), sorted.get(last - last / 10)) else {
+        return Ok(false);
+    };
+    // Spikes do not widen this range.
+    let nearest = sorted.iter().map(|number| (number - mark).abs());
+    Ok(nearest.fold(f64::INFINITY, f64::min) > high - low)
 }
 
 /// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or

@@ -11,7 +11,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::text::excerpt;
-use super::{Place, Sides, parse_file, write_bytes};
+use super::{Place, Sides, missing, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::replace;
 use crate::files::{ByteOrder, Cursor, NumberFormat};
@@ -28,6 +28,61 @@ const HEADER_LENGTH: u16 = 118;
 /// First byte of the samples in a written file.
 const FIRST_SAMPLE: u64 = 128;
 
+/// Options for reading an array.
+///
+/// ```
+/// use stickslip::{Field, Grid, io::npy};
+/// let grid = Grid::new(2, 2, 1.0, 1.0)?;
+/// let file = npy::to_bytes(&Field::from_vec(grid, vec![1.5, 2.5, -9999.0, 4.0])?);
+/// assert!(npy::parse(&file, [1.0, 1.0]).is_err());
+/// let heights = npy::Options::default().missing(-9999.0).parse(&file, [1.0, 1.0])?;
+/// assert!(heights.as_slice()[2].is_nan());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[must_use = "options do nothing until read() or parse() is called"]
+pub struct Options {
+    missing: Option<f64>,
+}
+
+impl Options {
+    /// Sets the value that marks a missing point (default: none), as [`csv::Options::missing`](super::csv::Options::missing). NaN
+    /// states that all numbers are heights.
+    pub fn missing(mut self, value: f64) -> Self {
+        self.missing = Some(value);
+        self
+    }
+
+    /// Reads the field in a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of the
+    /// whole grid. See [`parse`].
+    ///
+    /// # Errors
+    /// - [`Error::File`](crate::Error::File) if the file cannot be read.
+    /// - The errors of [`parse`].
+    pub fn read(self, path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
+        let sides = sides.into().checked()?;
+        parse_file(path.as_ref(), |bytes| self.parse(bytes, sides))
+    }
+
+    /// Reads the field in the bytes of a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the
+    /// sides of the whole grid. See [`parse`].
+    ///
+    /// # Errors
+    /// See [`parse`].
+    pub fn parse(self, bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
+        let sides = sides.into().checked()?;
+        let array = ArrayHeader::parse(bytes, bytes.len() as u64)?;
+        let mut samples = array.samples(array.shape[0], &bytes[array.start..]);
+        if let Some(problem) = missing::problem(self.missing, &samples.iter().copied())? {
+            return Err(FORMAT.at_byte(array.start, problem));
+        }
+        if let Some(mark) = self.missing {
+            missing::remove(mark, samples.iter_mut());
+        }
+        Field::from_vec(array.grid(sides)?, samples)
+    }
+}
+
 /// Reads the field in a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of the whole
 /// grid. See [`parse`].
 ///
@@ -35,8 +90,7 @@ const FIRST_SAMPLE: u64 = 128;
 /// - [`Error::File`](crate::Error::File) if the file cannot be read.
 /// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
-    let sides = sides.into().checked()?;
-    parse_file(path.as_ref(), |bytes| parse(bytes, sides))
+    Options::default().read(path, sides)
 }
 
 /// Reads the field in the bytes of a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of
@@ -49,6 +103,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - [`Error::NotPositive`](crate::Error::NotPositive) if a cell side is not positive and finite.
 /// - [`Error::Format`](crate::Error::Format) if the bytes are not an NPY file, or if their number does not match the
 ///   shape.
+/// - [`Error::Format`](crate::Error::Format) if a number may mark missing points, as in [`csv`](super::csv::parse), unless
+///   [`Options::missing`] states the mark.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::npy};
@@ -57,10 +113,7 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
-    let sides = sides.into().checked()?;
-    let array = ArrayHeader::parse(bytes, bytes.len() as u64)?;
-    let samples = array.samples(array.shape[0], &bytes[array.start..]);
-    Field::from_vec(array.grid(sides)?, samples)
+    Options::default().parse(bytes, sides)
 }
 
 /// Reads the grid of the array in a file without reading the samples. The [`Sides`] (lengths) are the sides of a cell,

@@ -11,7 +11,7 @@ use crate::io::{npy, pvti};
 impl HalfSpace {
     /// Reads the local rows of a field from an NPY file of the shape of the whole grid, `(ny, nx)`. The call is collective, and
     /// each rank reads only its own rows. The function supports the same files as [`io::npy::read`](npy::read). To read the grid
-    /// of a file, use [`io::npy::grid`](npy::grid).
+    /// of a file, use [`io::npy::grid`](npy::grid). Numbers that may mark missing points are read as samples.
     ///
     /// # Errors
     /// - [`Error::File`](crate::Error::File) if the file cannot be read.

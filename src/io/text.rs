@@ -93,7 +93,7 @@ impl Separator {
         }
     }
 
-    /// Returns the trimmed cells of a line.
+    /// Returns the trimmed cells of a line, without quotes around a cell.
     pub(super) fn split(self, line: &str) -> impl Iterator<Item = &str> {
         let ends_cell = move |character: char| match self {
             Self::Semicolon => character == ';',
@@ -102,7 +102,8 @@ impl Separator {
             Self::Space => character.is_whitespace(),
         };
         let cells = line.split(ends_cell).map(str::trim);
-        cells.filter(move |cell| self != Self::Space || !cell.is_empty())
+        let cells = cells.filter(move |cell| self != Self::Space || !cell.is_empty());
+        cells.map(unquoted)
     }
 
     /// Parses the number in a cell of a line, as [`parse`](Self::parse).
@@ -133,6 +134,14 @@ impl Separator {
             Err(_) => Err("is not a number"),
         }
     }
+}
+
+/// Removes the quotes around a cell.
+fn unquoted(cell: &str) -> &str {
+    let inner = cell
+        .strip_prefix('"')
+        .and_then(|rest| rest.strip_suffix('"'));
+    inner.map_or(cell, str::trim)
 }
 
 /// Returns whether the line has several words and every comma is the only comma within a word.

@@ -4,6 +4,7 @@
 
 use std::path::Path;
 
+use super::asc::check_esri;
 use super::text::{Separator, check_encoding, lines};
 use super::{Place, missing, parse_file};
 use crate::error::{Error, Result};
@@ -38,8 +39,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none). NaN states
-    /// that all numbers are heights.
+    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none), as
+    /// [`csv::Options::missing`](super::csv::Options::missing). NaN states that all numbers are heights.
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -68,9 +69,8 @@ impl Options {
         let mut points = points(bytes, self.skip_rows)?;
         let heights = points.iter().map(|point| point.height);
         let mark = missing::mark(FORMAT, bytes, self.missing, &heights)?;
-        if let Some(is_missing) = mark.map(missing::is) {
-            let marked = points.iter_mut().filter(|point| is_missing(&point.height));
-            marked.for_each(|point| point.height = f64::NAN);
+        if let Some(mark) = mark {
+            missing::remove(mark, points.iter_mut().map(|point| &mut point.height));
         }
         gridded(&points)
     }
@@ -239,6 +239,7 @@ struct SamplePoint {
 
 fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
     check_encoding(FORMAT, bytes)?;
+    check_esri(FORMAT, bytes, skip_rows)?;
     let mut separator = None;
     let mut width = 0;
     let mut points = Vec::new();

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use stickslip::{Error, Field, Result, io};
+use stickslip::{Error, Field, Grid, Result, io};
 
 /// Points and spacings (micrometres) of the surface that all files contain.
 const SIZE: [usize; 2] = [5, 4];
@@ -84,7 +84,9 @@ fn parse_npy_of(kind: &str, numbers: &[u8]) -> Result<Field> {
     let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (1, 2), }}\n");
     let length = u16::try_from(header.len()).unwrap().to_le_bytes();
     let parts: [&[u8]; 4] = [b"\x93NUMPY\x01\x00", &length, header.as_bytes(), numbers];
-    io::npy::parse(&parts.concat(), [1.0, 1.0])
+    // The limits of integers may mark missing points.
+    let options = io::npy::Options::default().missing(f64::NAN);
+    options.parse(&parts.concat(), [1.0, 1.0])
 }
 
 /// Covers the smallest and the largest value of every integer type, in both byte orders.
@@ -283,6 +285,15 @@ fn unstated_marks_of_missing_points_are_rejected() {
         "-2147483648",
         "-10000",
         "1e20",
+        "1.00000002004087734e+20",
+        "-3.40282306073709653e+38",
+        "-3.40282346600000016e+38",
+        "3.40282e38",
+        "-3.4028e38",
+        "-1.797e308",
+        "-1.79769313486231571e+308",
+        "-1.70141183460469232e+38",
+        "9.96921e36",
     ] {
         let text = format!("1.5 2.5\n{mark} 4\n{mark} 5\n");
         let refused = csv(None, &text).unwrap_err().to_string();
@@ -299,6 +310,33 @@ fn unstated_marks_of_missing_points_are_rejected() {
         assert!(refused.contains(&expected), "{refused}");
         let options = io::xyz::Options::default().missing(number);
         assert!(options.parse(points.as_bytes()).unwrap().as_slice()[2].is_nan());
+
+        let grid = Grid::new(2, 3, 1.0, 1.0).unwrap();
+        let samples = vec![1.5, 2.5, number, 4.0, number, 5.0];
+        let array = io::npy::to_bytes(&Field::from_vec(grid, samples).unwrap());
+        let refused = io::npy::parse(&array, [1.0, 1.0]).unwrap_err().to_string();
+        assert!(refused.contains(&expected), "{refused}");
+        let npy = |mark| {
+            io::npy::Options::default()
+                .missing(mark)
+                .parse(&array, [1.0, 1.0])
+        };
+        assert!(npy(number).unwrap().as_slice()[4].is_nan());
+        assert_eq!(npy(f64::NAN).unwrap().as_slice()[4], number);
+    }
+    // One mark with different numbers of digits.
+    let lowest = "1.5 2\n-3.4028235e38 -3.40282306073709653e+38\n";
+    let heights = csv(Some(f64::from(f32::MIN)), lowest).unwrap();
+    assert!(heights.as_slice()[2..].iter().all(|z| z.is_nan()));
+    // The file contains another mark than the given one.
+    for (mark, text) in [
+        (Some(-999.0), "1.5 2.5\n-9999 4\n"),
+        (None, "# missing = -999\n1.5 2.5\n-9999 -999\n"),
+    ] {
+        let refused = csv(mark, text).unwrap_err().to_string();
+        let expected = "1 number with the value -9999.0 may mark missing points, besides the mark -999.0: set the option missing to \
+                        -9999.0, or to NaN to read all numbers as heights";
+        assert!(refused.contains(expected), "{refused}");
     }
     // Spikes do not hide a mark.
     let spiked = "1.5 2 3 1\n2 3.5 4 1\n-9999 4 3 -1e5\n3 2.5 1 1e5\n";
@@ -310,9 +348,57 @@ fn unstated_marks_of_missing_points_are_rejected() {
         "1 2\n-9998 3\n",
         "-10000 -9100\n-8200.5 -7000\n",
         "999 999\n",
+        "1e30 2e30\n",
+        "1e29 -4e29\n1.1e30 8e29\n",
     ] {
         assert!(csv(None, text).is_ok(), "{text}");
     }
+}
+
+#[test]
+fn quoted_numbers_are_read() {
+    for text in [
+        "\"1.5\",\"2\"\n\"\",\" -4 \"\n",
+        "\"1,5\";\"2\"\n\"NaN\";\"-4\"\n",
+        "\"1,5\" \"2,0\"\n\"NaN\" -4\n",
+    ] {
+        let heights = io::csv::parse(text.as_bytes(), [1.0, 1.0]).unwrap();
+        assert_eq!(heights.as_slice()[..2], [1.5, 2.0], "{text}");
+        assert!(heights.as_slice()[2].is_nan() && heights.as_slice()[3] == -4.0);
+    }
+    let points = b"\"0\",\"0\",\"1.5\"\n\"1\",\"0\",\"2.5\"\n";
+    assert_eq!(io::xyz::parse(points).unwrap().as_slice(), [1.5, 2.5]);
+    // Commas in quotes would separate cells.
+    let refused = io::csv::parse(b"\"1,5\",\"2,5\"\n", [1.0, 1.0]).unwrap_err();
+    let expected = "is not a number: write the quoted numbers with decimal points, or separate them by semicolons";
+    assert!(refused.to_string().contains(expected), "{refused}");
+}
+
+#[test]
+fn esri_grids_are_rejected_with_the_options_that_read_them() {
+    let header = "ncols 3\r\nnrows 2\r\nxllcorner 0.0\r\nyllcorner 0.0\r\nCELLSIZE 0.5\r\nNODATA_value  -9999\r\n";
+    let file = format!("{header}1.5 2 3\r\n4 -9999 6\r\n");
+    let expected = "the file is an ESRI ASCII grid: read it as CSV by the options skip_rows = 6 and missing = -9999, and give the \
+                    cell side 0.5; its first line has the largest y";
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("esri.asc");
+    std::fs::write(&path, &file).unwrap();
+    for refused in [
+        io::csv::parse(file.as_bytes(), [0.5, 0.5]),
+        io::asc::parse(file.as_bytes()),
+        io::xyz::parse(file.as_bytes()),
+        io::read(path),
+    ] {
+        let refused = refused.unwrap_err().to_string();
+        assert!(refused.contains(expected), "{refused}");
+    }
+    let options = io::csv::Options::default().skip_rows(6).missing(-9999.0);
+    let heights = options.parse(file.as_bytes(), [0.5, 0.5]).unwrap();
+    assert!(heights.as_slice()[4].is_nan() && heights.as_slice()[5] == 6.0);
+    // The header may lack the mark.
+    let file = "NCOLS 2\nNROWS 1\nXLLCENTER 0\nYLLCENTER 0\nDX 2\nDY 1\n1 2\n";
+    let refused = io::csv::parse(file.as_bytes(), [2.0, 1.0]).unwrap_err();
+    let expected = "by the option skip_rows = 6, and give the cell sides; its";
+    assert!(refused.to_string().contains(expected), "{refused}");
 }
 
 #[test]

@@ -161,6 +161,10 @@ fn named_in(due: &str) -> &str {
 /// Returns the entries of a labelled object, such as a table of pandas, in the order of the expected form, such as (x, y). Other
 /// objects are returned unchanged.
 fn in_order<'py>(object: &Bound<'py, PyAny>, due: &str) -> PyResult<Bound<'py, PyAny>> {
+    if due.ends_with("[[xx, xy], [yx, yy]]") {
+        let module = object.py().import("stickslip._tables")?;
+        return module.call_method1("tensor_in_order", (object, named_in(due)));
+    }
     let form = due.split_once('(').and_then(|(_, end)| end.split_once(')'));
     let Some((names, _)) = form else {
         return Ok(object.clone());

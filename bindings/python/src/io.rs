@@ -141,8 +141,8 @@ fn points(missing: Option<Real>, skip_rows: Count) -> io::xyz::Options {
 /// path : path_like
 ///     The file.
 /// missing : float, optional
-///     The height that marks a missing point (default: the value that a comment states, or none). Without either, a height
-///     that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights.
+///     The height that marks a missing point (default: the value that a comment states, or none). Other heights that may be
+///     such marks, as -9999, are rejected by the rule of :func:`stickslip.io.csv.read`. NaN states that all numbers are heights.
 /// skip_rows : int, default 0
 ///     Number of lines before the points.
 /// unit : str, optional
@@ -257,11 +257,11 @@ fn options(
 ///
 /// A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
 /// ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
-/// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-/// rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-/// coordinates in the first row and column. Nine or more coordinates in the first row or column alone are also rejected, unless
-/// another row or column is evenly spaced, as on an inclined surface. Fewer coordinates are read as heights: skip them by
-/// ``skip_rows=1`` or ``skip_columns=1``.
+/// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers may be in quotes.
+/// Numbers that may be labels are also rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to
+/// other decimals, and evenly spaced coordinates in the first row and column. Nine or more coordinates in the first row or
+/// column alone are also rejected, unless another row or column is evenly spaced, as on an inclined surface. Fewer
+/// coordinates are read as heights: skip them by ``skip_rows=1`` or ``skip_columns=1``.
 ///
 /// Parameters
 /// ----------
@@ -270,8 +270,9 @@ fn options(
 /// cell, size : pair of float
 ///     Side lengths of a cell or of the grid; exactly one of the two is required.
 /// missing : float, optional
-///     The value that marks a missing point (default: the value that a comment states, or none). Without either, a value
-///     that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights. The comment consists of
+///     The value that marks a missing point (default: the value that a comment states, or none). Other values that may be
+///     such marks, as -9999 or any magnitude from 1e30, are rejected; NaN states that all numbers are heights. Read a file with
+///     several marks in this way, and replace the marks in its array. The comment consists of
 ///     a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
 ///     value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
 ///     lower case, with any separators between words or none.
@@ -362,6 +363,11 @@ pub(crate) fn csv_to_bytes<'py>(
     Ok(PyBytes::new(py, &io::csv::to_bytes(&field)))
 }
 
+fn array_options(missing: Option<Real>) -> io::npy::Options {
+    let options = io::npy::Options::default();
+    missing.map_or(options, |Real(value)| options.missing(value))
+}
+
 /// Reads a field from an NPY file.
 ///
 /// Parameters
@@ -370,6 +376,9 @@ pub(crate) fn csv_to_bytes<'py>(
 ///     The file.
 /// cell, size : pair of float
 ///     Side lengths of a cell or of the grid; exactly one of the two is required.
+/// missing : float, optional
+///     The value that marks a missing point (default: none). Other values that may be such marks, as -9999, are rejected by the
+///     rule of :func:`stickslip.io.csv.read`. NaN states that all numbers are heights.
 /// unit : str, optional
 ///     The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
 /// height_unit : str, optional
@@ -383,38 +392,42 @@ pub(crate) fn csv_to_bytes<'py>(
 /// TypeError
 ///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, unit=None, height_unit=None),
-    text_signature = "(path, *, cell=None, size=None, unit=None, height_unit=None)")]
+#[pyo3(signature = (path, *, cell=None, size=None, missing=None, unit=None, height_unit=None),
+    text_signature = "(path, *, cell=None, size=None, missing=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_read(
     py: Python<'_>,
     path: PathBuf,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
+    missing: Option<Real>,
     unit: Option<&str>,
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
-    py.detach(|| io::npy::read(&path, sides))
+    let options = array_options(missing);
+    py.detach(|| options.read(&path, sides))
         .or_raise(py)
         .map(|field| units.of_surface(field))
 }
 
 /// Reads a field from the bytes of an NPY file; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, unit=None, height_unit=None),
-    text_signature = "(bytes, *, cell=None, size=None, unit=None, height_unit=None)")]
+#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, unit=None, height_unit=None),
+    text_signature = "(bytes, *, cell=None, size=None, missing=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_parse(
     py: Python<'_>,
     bytes: &[u8],
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
+    missing: Option<Real>,
     unit: Option<&str>,
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
-    py.detach(|| io::npy::parse(bytes, sides))
+    let options = array_options(missing);
+    py.detach(|| options.parse(bytes, sides))
         .or_raise(py)
         .map(|field| units.of_surface(field))
 }

@@ -36,6 +36,7 @@ ELSEWHERE = {
     "enum io::Sides": "io.npy.read",  # cell= or size=
     "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
     "struct io::csv::Options": "io.csv.read",  # missing=, skip_rows= and others
+    "struct io::npy::Options": "io.npy.read",  # missing=
     "struct io::xyz::Options": "io.xyz.read",  # missing= and skip_rows=
     "struct edges::EdgeCell": "edges.Edges",  # arrays: cells, covered, is_fitted
     "struct history::StepFailures": "History.step_all",  # a list of indices and errors
@@ -144,6 +145,7 @@ METHODS = {
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},
+    "io::npy::Options": {"parse": "io.npy.parse", "read": "io.npy.read"},
     "io::xyz::Options": {"parse": "io.xyz.parse", "read": "io.xyz.read"},
     "normal::Hardness": {"per_cell": "the class", "uniform": "the class"},
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},

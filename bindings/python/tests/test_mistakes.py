@@ -2,6 +2,7 @@
 
 import collections
 import copy
+import io
 import pickle
 import warnings
 
@@ -580,6 +581,59 @@ def test_unstated_marks_of_missing_points_are_rejected():
         ss.io.csv.parse(text, cell=(1.0, 1.0))
     assert np.isnan(ss.io.csv.parse(text, cell=(1.0, 1.0), missing=-9999)[1, 0])
     assert ss.io.csv.parse(text, cell=(1.0, 1.0), missing=np.nan)[1, 0] == -9999.0
+    with pytest.raises(ss.errors.Format, match=r"may mark missing points, besides the mark -999\.0: set the option missing to -9999\.0"):
+        ss.io.csv.parse(text, cell=(1.0, 1.0), missing=-999)
+    for mark in (-9999.0, -3.4028234663852886e38, 9.969209968386869e36):
+        for kind in (np.float64, np.float32):
+            file = io.BytesIO()
+            np.save(file, np.array([[1.5, 2.5], [mark, 4.0]], kind))
+            with pytest.raises(ss.errors.Format, match="may mark missing points: set the option missing"):
+                ss.io.npy.parse(file.getvalue(), cell=(1.0, 1.0))
+            assert np.isnan(ss.io.npy.parse(file.getvalue(), cell=(1.0, 1.0), missing=mark)[1, 0])
+            assert ss.io.npy.parse(file.getvalue(), size=(1.0, 1.0), missing=np.nan)[1, 0] == kind(mark)
+
+
+def test_marks_of_missing_points_of_xarray_are_missing_heights():
+    xarray = pytest.importorskip("xarray")
+    along = {"y": [0.0, 1.0], "x": [0.0, 1.0]}
+    for kind in (np.float64, np.float32):
+        for mark in (-9999.0, 1e20):
+            for place in ("attrs", "encoding"):
+                for name in ("_FillValue", "missing_value"):
+                    array = xarray.DataArray(np.array([[1.5, mark], [2.5, 4.0]], kind), along, ("y", "x"))
+                    setattr(array, place, {name: mark})
+                    field = ss.io.from_xarray(array)
+                    assert np.isnan(field[0, 1]) and field[1, 0] == 2.5
+                    assert array.values[0, 1] == kind(mark)
+    array = xarray.DataArray(np.array([[1, -32768], [-1, 4]], np.int16), along, ("y", "x"), attrs={"missing_value": [-32768, -1]})
+    assert np.isnan(ss.io.from_xarray(array).array).tolist() == [[False, True], [True, False]]
+    # The marks of packed numbers are no heights.
+    array = xarray.DataArray([[1.0, 0.0], [2.0, 4.0]], along, ("y", "x"))
+    array.encoding = {"_FillValue": 0, "scale_factor": 0.1}
+    assert ss.io.from_xarray(array)[0, 1] == 0.0
+
+
+def test_labels_of_a_bulk_strain_are_recognised():
+    pandas = pytest.importorskip("pandas")
+    xarray = pytest.importorskip("xarray")
+    grid = ss.Grid.square(4, 1.0)
+    bulk = ss.tangential.RelativeDisplacement.bulk_strain
+    expected = bulk(grid, [[1e-3, 2e-4], [2e-4, -3e-3]])
+    assert bulk(grid, pandas.DataFrame([[1e-3, 2e-4], [2e-4, -3e-3]])) == expected
+    for labels in (["x", "y"], ["y", "x"]):
+        values = [[1e-3, 2e-4], [2e-4, -3e-3]] if labels[0] == "x" else [[-3e-3, 2e-4], [2e-4, 1e-3]]
+        assert bulk(grid, pandas.DataFrame(values, labels, labels)) == expected
+        assert bulk(grid, xarray.DataArray(values, {"i": labels, "j": labels}, ("i", "j"))) == expected
+    with pytest.raises(TypeError, match="strain must have the labels x and y along both axes, got xx, yy"):
+        bulk(grid, pandas.DataFrame([[1e-3, 0.0], [0.0, 0.0]], ["xx", "yy"], ["xx", "yy"]))
+
+
+def test_relative_displacement_in_two_units_is_rejected():
+    grid = ss.Grid.square(4, 1.0)
+    along = {unit: ss.Field(grid, np.ones(grid.shape), unit) for unit in ("um", "mm")}
+    with pytest.raises(ValueError, match="have the units um and mm"):
+        ss.tangential.RelativeDisplacement(along["um"], along["mm"])
+    ss.tangential.RelativeDisplacement(along["um"], along["um"])
 
 
 def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):

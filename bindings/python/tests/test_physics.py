@@ -109,6 +109,17 @@ def test_dissimilar_bodies_slip_under_normal_load():
     solver = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solver()
     solver.set_loads(ss.TangentialLoad(force_x=1.0), normal_force=60.0)
     assert solver.solve().normal.approach == pytest.approx(contact.normal.approach, rel=1e-6)
+    solver.set_loads(normal_force=50.0)  # an omitted load keeps its last value
+    less = solver.solve()
+    assert less.normal.force == pytest.approx(50.0) and less.tangential.force[0] == pytest.approx(1.0)
+    solver.set_loads(ss.TangentialLoad(force_x=2.0))
+    more = solver.solve()
+    assert more.normal.force == pytest.approx(50.0) and more.tangential.force[0] == pytest.approx(2.0)
+    with pytest.raises(TypeError, match="give a tangential load by TangentialLoad"):
+        solver.set_loads()
+    with pytest.raises(ss.errors.StickslipError):
+        solver.set_loads(normal_force=-1.0)
+    assert solver.solve().normal.force == pytest.approx(50.0)
     most = 0.8 * contact.normal.pressure.max()
     soft = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0, force_x=1.0, hardness=most).solve()
     assert soft.normal.pressure.max() == most and soft.normal.yielded_cells > 0

@@ -1707,10 +1707,10 @@ class CoupledSolver:
         """
         Sets the gap of the next solve (lengths).
         """
-    def set_loads(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
+    def set_loads(self, /, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
         Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
-        length).
+        length). An omitted load keeps its last value.
         """
     @property
     def settings(self, /) -> Settings:
@@ -1721,7 +1721,8 @@ class CoupledSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
-        Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`.
+        Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`. The method accepts no loads: set them by
+        :meth:`set_loads`.
         """
 
 @final
@@ -5761,6 +5762,8 @@ class RelativeDisplacement:
     Raises
     ------
     GridMismatch, Sample, ArgumentType
+    ValueError
+        If the fields have different units.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5772,6 +5775,7 @@ class RelativeDisplacement:
         """
         Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
         of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
+        The rows and columns of a table of pandas or an array of xarray are recognised by the labels x and y.
         """
     @property
     def fields(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -7436,10 +7440,13 @@ class TangentialProblem:
         The tangential load; see :class:`TangentialLoad`. A load is required. With a relative displacement, the default is zero
         force.
     model : TangentialModel or str, default "scalar"
-        "scalar" computes the traction along the axis of the load, "vector" both components.
+        "scalar" computes the traction along the axis of the load, "vector" both components. Give "vector" for bodies of different
+        materials: with the coupling "one_way", "scalar" omits the tractions across the axis, and the stick radius of a pressed ball
+        is then too large, several times for a small friction coefficient.
     coupling : Coupling or str, default "one_way"
         Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
-        "neglected" omits them. "full" raises ``CoupledMaterials`` for such bodies, because the pressure is given. Bodies of
+        "neglected" omits them. "full" raises ``CoupledMaterials`` for such bodies, because the pressure is given.
+        A :class:`CoupledProblem` or a history with the coupling "full" accepts them. Bodies of
         the same material are not coupled, and accept every value.
     relative_displacement : RelativeDisplacement, optional
         A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
@@ -8292,11 +8299,11 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
 
     A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
-    ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-    coordinates in the first row and column. Nine or more coordinates in the first row or column alone are also rejected, unless
-    another row or column is evenly spaced, as on an inclined surface. Fewer coordinates are read as heights: skip them by
-    ``skip_rows=1`` or ``skip_columns=1``.
+    ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers may be in quotes.
+    Numbers that may be labels are also rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to
+    other decimals, and evenly spaced coordinates in the first row and column. Nine or more coordinates in the first row or
+    column alone are also rejected, unless another row or column is evenly spaced, as on an inclined surface. Fewer
+    coordinates are read as heights: skip them by ``skip_rows=1`` or ``skip_columns=1``.
 
     Parameters
     ----------
@@ -8305,8 +8312,9 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
     missing : float, optional
-        The value that marks a missing point (default: the value that a comment states, or none). Without either, a value
-        that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights. The comment consists of
+        The value that marks a missing point (default: the value that a comment states, or none). Other values that may be
+        such marks, as -9999 or any magnitude from 1e30, are rejected; NaN states that all numbers are heights. Read a file with
+        several marks in this way, and replace the marks in its array. The comment consists of
         a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
         value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
         lower case, with any separators between words or none.
@@ -8590,12 +8598,12 @@ def npy_grid(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     Returns the grid of an NPY file without reading its samples.
     """
 
-def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
+def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of an NPY file; see :func:`read`.
     """
 
-def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
+def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from an NPY file.
 
@@ -8605,6 +8613,9 @@ def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
         The file.
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
+    missing : float, optional
+        The value that marks a missing point (default: none). Other values that may be such marks, as -9999, are rejected by the
+        rule of :func:`stickslip.io.csv.read`. NaN states that all numbers are heights.
     unit : str, optional
         The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
     height_unit : str, optional
@@ -8866,8 +8877,8 @@ def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_ro
     path : path_like
         The file.
     missing : float, optional
-        The height that marks a missing point (default: the value that a comment states, or none). Without either, a height
-        that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights.
+        The height that marks a missing point (default: the value that a comment states, or none). Other heights that may be
+        such marks, as -9999, are rejected by the rule of :func:`stickslip.io.csv.read`. NaN states that all numbers are heights.
     skip_rows : int, default 0
         Number of lines before the points.
     unit : str, optional

@@ -93,3 +93,26 @@ def in_order(values: Any, quantity: str, names: list[str], is_sequence: bool) ->
     if kind == "columns":
         return values[names].to_numpy()
     return entries[..., [labels.index(name) for name in names]]
+
+
+def tensor_in_order(values: Any, quantity: str) -> Any:
+    """Returns the rows and columns of a labelled tensor of two axes in the order x, y. Labels are the index and the columns of a table,
+    or the coordinates of an array of xarray. Axes without labels, and axes that are only numbered, keep their positions."""
+    names = ["x", "y"]
+    if hasattr(values, "columns"):
+        axes, entries = [list(values.index), list(values.columns)], values.to_numpy()
+    elif hasattr(values, "dims") and hasattr(values, "coords") and getattr(values, "ndim", 0) == 2:
+        axes = [values.coords[name].values.tolist() if name in values.coords else [0, 1] for name in values.dims]
+        entries = values.values
+    else:
+        return values
+    for axis, labels in enumerate(axes):
+        if labels == list(range(len(labels))):
+            continue
+        if sorted(map(str, labels)) != names:
+            refuse_type(
+                quantity,
+                f"must have the labels x and y along both axes, got {', '.join(map(str, labels))}: rename them, or give a tuple",
+            )
+        entries = entries.take([labels.index(name) for name in names], axis=axis)
+    return entries

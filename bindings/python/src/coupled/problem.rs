@@ -67,7 +67,12 @@ use crate::work::unobserved_on;
 /// >>> contact.tangential.slip_area > 0.0  # pressing alone makes the rim slip
 /// True
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct CoupledProblem(stickslip::CoupledProblem, stickslip::Grid, Recipe);
+pub(crate) struct CoupledProblem(
+    stickslip::CoupledProblem,
+    stickslip::Grid,
+    Recipe,
+    (stickslip::NormalLoad, stickslip::TangentialLoad),
+);
 
 #[pymethods]
 impl CoupledProblem {
@@ -137,7 +142,7 @@ impl CoupledProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe))
+        Ok(Self(built, grid, recipe, (normal, load)))
     }
 
     /// Solves from rest; see :meth:`NormalProblem.solve`. A force that makes the contact slide raises
@@ -156,7 +161,7 @@ impl CoupledProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
         let solver = || self.0.clone().into_solver();
-        CoupledSolver::of(py, self.1, self.2.cap(py)?, solver)
+        CoupledSolver::of(py, self.1, self.2.cap(py)?, self.3, solver)
     }
 
     fn __getnewargs_ex__<'py>(

@@ -1,5 +1,8 @@
 //! Reusable solvers of coupled contacts.
 
+use std::sync::Mutex;
+
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::array::{Array, snapshot};
@@ -10,20 +13,25 @@ use crate::friction::AnyFriction;
 use crate::load::{self, TangentialArgument};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
+use crate::solution_pool::lock;
 use crate::solver::{Reused, created_by, solver};
 
 /// Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct CoupledSolver(Reused<stickslip::CoupledSolver>);
+pub(crate) struct CoupledSolver(Reused<stickslip::CoupledSolver>, Mutex<Loads>);
+
+/// Normal and tangential load of the next solve.
+type Loads = (stickslip::NormalLoad, stickslip::TangentialLoad);
 
 impl CoupledSolver {
     pub(super) fn of(
         py: Python<'_>,
         grid: stickslip::Grid,
         cap: Option<f64>,
+        loads: Loads,
         solver: impl FnOnce() -> stickslip::Result<stickslip::CoupledSolver> + Send,
     ) -> PyResult<Self> {
-        Reused::new(py, grid, cap, solver).map(Self)
+        Reused::new(py, grid, cap, solver).map(|solver| Self(solver, Mutex::new(loads)))
     }
 }
 
@@ -33,7 +41,8 @@ sensitive!(CoupledSolver: CoupledSolution);
 
 #[pymethods]
 impl CoupledSolver {
-    /// Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`.
+    /// Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`. The method accepts no loads: set them by
+    /// :meth:`set_loads`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -45,19 +54,31 @@ impl CoupledSolver {
     }
 
     /// Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
-    /// length).
-    #[pyo3(signature = (load, *, normal_force=None, approach=None))]
+    /// length). An omitted load keeps its last value.
+    #[pyo3(signature = (load=None, *, normal_force=None, approach=None))]
     fn set_loads(
         &self,
         py: Python<'_>,
-        load: TangentialArgument,
+        load: Option<TangentialArgument>,
         normal_force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
-        let normal = load::needed_as("normal_force", normal_force, approach)?;
+        let normal = load::normal(normal_force, approach)?;
+        if normal.is_none() && load.is_none() {
+            return Err(PyTypeError::new_err(
+                "give a tangential load by TangentialLoad(...), or the normal load by normal_force= or approach=",
+            ));
+        }
+        let mut last = lock(&self.1, "solver")?;
+        let loads = (
+            normal.unwrap_or(last.0),
+            load.map_or(last.1, |load| load.0.0),
+        );
         self.0
-            .with(|solver| solver.set_loads(normal, load.0.0))?
-            .or_raise(py)
+            .with(|solver| solver.set_loads(loads.0, loads.1))?
+            .or_raise(py)?;
+        *last = loads;
+        Ok(())
     }
 
     /// The gap before loading of the next solve (lengths), as last set; a read-only copy.

@@ -36,10 +36,13 @@ use crate::work::unobserved_on;
 ///     The tangential load; see :class:`TangentialLoad`. A load is required. With a relative displacement, the default is zero
 ///     force.
 /// model : TangentialModel or str, default "scalar"
-///     "scalar" computes the traction along the axis of the load, "vector" both components.
+///     "scalar" computes the traction along the axis of the load, "vector" both components. Give "vector" for bodies of different
+///     materials: with the coupling "one_way", "scalar" omits the tractions across the axis, and the stick radius of a pressed ball
+///     is then too large, several times for a small friction coefficient.
 /// coupling : Coupling or str, default "one_way"
 ///     Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
-///     "neglected" omits them. "full" raises ``CoupledMaterials`` for such bodies, because the pressure is given. Bodies of
+///     "neglected" omits them. "full" raises ``CoupledMaterials`` for such bodies, because the pressure is given.
+///     A :class:`CoupledProblem` or a history with the coupling "full" accepts them. Bodies of
 ///     the same material are not coupled, and accept every value.
 /// relative_displacement : RelativeDisplacement, optional
 ///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the

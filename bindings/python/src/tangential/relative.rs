@@ -12,6 +12,7 @@ use crate::error::OrRaise;
 use crate::field::{Samples, grid_of, same_grid};
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
+use crate::unit::one_of;
 
 /// A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
 /// expansion.
@@ -27,6 +28,8 @@ use crate::pickle::picklable;
 /// Raises
 /// ------
 /// GridMismatch, Sample, ArgumentType
+/// ValueError
+///     If the fields have different units.
 #[pyclass(frozen, eq, module = "stickslip.tangential")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct RelativeDisplacement(pub(crate) Relative);
@@ -43,6 +46,7 @@ impl RelativeDisplacement {
         along_y: Samples<'_>,
         grid: Option<Object<Grid>>,
     ) -> PyResult<Self> {
+        one_of([along_x.unit()?, along_y.unit()?])?;
         let grid = grid_of(grid.as_deref(), &[&along_x, &along_y])?;
         let fields = [
             along_x.per_cell(py, "along_x", grid)?,
@@ -57,6 +61,7 @@ impl RelativeDisplacement {
 
     /// Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
     /// of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
+    /// The rows and columns of a table of pandas or an array of xarray are recognised by the labels x and y.
     #[staticmethod]
     fn bulk_strain(
         py: Python<'_>,

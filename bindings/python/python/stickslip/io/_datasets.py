@@ -165,6 +165,9 @@ def from_xarray(array: xarray.DataArray) -> Field:
     Coordinates with an attribute ``units`` are converted to the unit of the heights. Coordinates without it have the unit of
     the heights.
 
+    Heights that equal ``_FillValue`` or ``missing_value``, in the attributes or the encoding, are missing (NaN). The encoding is
+    ignored if it also contains ``scale_factor`` or ``add_offset``.
+
     Parameters
     ----------
     array : xarray.DataArray
@@ -208,9 +211,22 @@ def from_xarray(array: xarray.DataArray) -> Field:
             raise ValueError(f"the coordinates along {axis} must be evenly spaced and increasing")
         unit = array[axis].attrs.get("units")
         sides.append(side if unit is None or own is None else side * _factor(unit, own))
-    samples = np.ascontiguousarray(array.transpose("y", "x"), dtype=float)
+    samples = np.array(array.transpose("y", "x"), dtype=float, order="C")
+    for mark in _marks(array):
+        samples[samples == mark] = np.nan
     grid = Grid(samples.shape[1], samples.shape[0], sides[0], sides[1])
     return Field(grid, samples, own)
+
+
+def _marks(array: Any) -> Iterator[float]:
+    """Yields the values that mark missing points, by the CF conventions, in the precision of the array."""
+    encoding = getattr(array, "encoding", {})
+    # Marks of packed numbers are no heights.
+    sources = [array.attrs] if {"scale_factor", "add_offset"} & set(encoding) else [array.attrs, encoding]
+    for source in sources:
+        for name in ("_FillValue", "missing_value"):
+            for mark in np.atleast_1d(source.get(name, [])):
+                yield float(np.asarray(mark).astype(array.dtype if array.dtype.kind == "f" else float))
 
 
 def check_coordinates(array: Any, quantity: str, sides: tuple[float, float] | None) -> None:
