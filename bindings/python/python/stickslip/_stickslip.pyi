@@ -5775,6 +5775,7 @@ class RelativeDisplacement:
         """
         Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
         of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
+        The components xy and yx must be equal, each half of the engineering shear strain; a rotation is a twist.
         The rows and columns of a table of pandas or an array of xarray are recognised by the labels x and y.
         """
     @property
