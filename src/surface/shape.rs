@@ -129,8 +129,8 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
 /// zero on the crests and $`2A`$ in the troughs.
 ///
 /// `amplitude` is $`A`$ and `wavelength` is $`\lambda`$ (lengths). This is the gap of Westergaard's problem. On a periodic
-/// half-space the wavelength must divide the side of the grid. A wave of exactly two cells is only sampled at its crests and troughs if
-/// the number of columns is odd. Otherwise its gap is uniform.
+/// half-space the wavelength must divide the side of the grid. A wave of exactly two cells is only sampled at its crests and
+/// troughs if the number of columns is odd. Otherwise its gap is uniform.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the amplitude or the wavelength is not positive and finite.

@@ -33,8 +33,8 @@ pub enum PressureSource<'a> {
     /// Pressure of a converged normal contact on the same bodies and materials.
     Solved(&'a NormalSolution),
     /// Pressure of each cell, non-negative and finite. The pressure may belong to any bodies. Its unit must be the unit of their
-    /// moduli. A pressure far below the contact modulus has the warning [`LowPressure`](crate::Warning::LowPressure). A pressure above half of
-    /// this modulus has the warning [`PressureBeyondModulus`](crate::Warning::PressureBeyondModulus).
+    /// moduli. A pressure far below the contact modulus has the warning [`LowPressure`](crate::Warning::LowPressure). A pressure
+    /// above half of this modulus has the warning [`PressureBeyondModulus`](crate::Warning::PressureBeyondModulus).
     Prescribed(&'a Field),
 }
 

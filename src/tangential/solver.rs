@@ -57,8 +57,8 @@ pub(crate) struct TangentialBuffers {
 }
 
 impl TangentialSolver {
-    /// Changes the load of the next solve. The new load replaces the earlier load along both axes and its twist. A load along the other axis requires the operator of that axis. No other
-    /// change of the load allocates memory.
+    /// Changes the load of the next solve. The new load replaces the earlier load along both axes and its twist. A load along the
+    /// other axis requires the operator of that axis. No other change of the load allocates memory.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] or [`Error::NotPositive`] if a number of the load is invalid.
