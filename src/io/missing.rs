@@ -57,7 +57,7 @@ pub(super) fn mark<I: Iterator<Item = f64> + Clone>(
     }
 }
 
-/// Returns the problem if a number other than the mark may also be a mark. NaN as the mark states that all numbers are heights.
+/// Returns the problem if the numbers contain a further number that may be a mark. NaN as the mark states that all numbers are heights.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

@@ -26,8 +26,8 @@
 //!   belongs to the neighbour of this cell along x. Rows are ordered towards larger y. A file whose rows are counted from the top
 //!   is therefore read mirrored. XYZ files give the position of each point.
 //! - A point that was not measured is NaN. Solvers do not accept NaN, so fill such points first.
-//! - CSV, XYZ and NPY files may contain a number in place of such a point, as -9999. The number must be given by the option
-//!   `missing`. A number that may be such a mark is otherwise rejected.
+//! - CSV, XYZ and NPY files may mark such a point by a number, as -9999. The option `missing` states this number. Other numbers
+//!   that may be marks are rejected.
 //! - A [`Grid`](crate::Grid) is centred on the origin. The origin given in the file is ignored.
 //! - A row of n points with the spacing d covers n cells of side d, not n - 1 cells.
 //!

@@ -121,8 +121,8 @@ impl Hardness {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the limits and the contact have different grids.
-    /// - [`Error::OutdatedSolution`] if the contact was solved with a different hardness, so that a pressure exceeds these limits, or
-    ///   that other cells yielded.
+    /// - [`Error::OutdatedSolution`] if the contact was solved with a different hardness, so that a pressure exceeds these limits or
+    ///   other cells yielded.
     /// - [`Error::Memory`] if memory runs out.
     pub fn overlap(&self, contact: &NormalSolution) -> Result<Field> {
         self.check(contact.grid())?;

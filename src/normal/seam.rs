@@ -7,7 +7,8 @@ use crate::half_space::HalfSpace;
 /// surface vary along the border as much as the heights.
 const LEAST_MEAN: f64 = 5.0;
 
-/// Fraction of the grid next to the border, in cells per cell. A gap whose contact is farther away is an array of separate contacts.
+/// Number of cells of the grid per cell of the margin at its border. A gap without contact in the margins is an array of separate
+/// contacts.
 const CELLS_PER_MARGIN: usize = 16;
 
 /// Returns the mean jump of the gap across the border along x and along y, divided by the largest mean step between neighbouring

@@ -30,7 +30,7 @@ pub(crate) fn of_bytes(bytes: &[u8]) -> u64 {
     Digest::START.with(bytes).0
 }
 
-/// Returns a checksum of the bits of numbers. Each operation includes the eight bytes of a number.
+/// Returns a checksum of numbers from their bit patterns. Each operation includes the eight bytes of a number.
 pub(crate) fn of_numbers(numbers: impl Iterator<Item = f64>) -> u64 {
     let step = |sum: u64, number: f64| (sum ^ number.to_bits()).wrapping_mul(PRIME);
     numbers.fold(Digest::START.0, step)

@@ -121,20 +121,16 @@ impl Limits {
         let friction = &friction.within(region);
         parallel::update(&mut self.cells, |first, chunk| {
             friction.write_limits(first, &pressure[first..], chunk);
-        });
-        // An infinite limit remains infinite, so that the check of the sum rejects it.
-        let clipped = |limit: f64| {
-            if limit.is_finite() {
-                limit.min(most)
-            } else {
-                limit
+            // An infinite limit remains infinite, so that the check of the sum rejects it.
+            for limit in chunk.iter_mut().filter(|limit| limit.is_finite()) {
+                *limit = limit.min(most);
             }
-        };
+        });
         // Negligible limits carry no load, and their squares would underflow.
-        let least = NEGLIGIBLE * reduce::max(&self.layout, |i| clipped(self.cells[i]));
+        let least = NEGLIGIBLE * self.largest();
         parallel::update(&mut self.cells, |_, chunk| {
             for limit in chunk {
-                *limit = if *limit < least { 0.0 } else { clipped(*limit) };
+                *limit = if *limit < least { 0.0 } else { *limit };
             }
         });
         self.sum = reduce::total(&self.layout, &self.cells);

@@ -1242,7 +1242,7 @@ fn high_prescribed_pressure_gives_warning() {
     );
 }
 
-/// A pressure in MPa with moduli in Pa has the warning. The same pressure of a solved contact does not.
+/// A prescribed pressure in MPa with moduli in Pa has the warning. A low pressure of a solved contact does not have it.
 #[test]
 fn low_prescribed_pressure_gives_warning() {
     let bodies = bodies(16);

@@ -3575,8 +3575,8 @@ class History:
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
         Sets the friction of later steps. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-        alone has none; a warning is issued if the last law had one. Until the next step, :meth:`stiffness` and :meth:`edges` raise
-        ``OutdatedSolution``.
+        alone has none; a warning is issued if the last law had one. :meth:`stiffness` and :meth:`edges` raise
+        ``OutdatedSolution`` until the next step.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """

@@ -229,8 +229,8 @@ impl History {
     }
 
     /// Sets the friction of later steps. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-    /// alone has none; a warning is issued if the last law had one. Until the next step, :meth:`stiffness` and :meth:`edges` raise
-    /// ``OutdatedSolution``.
+    /// alone has none; a warning is issued if the last law had one. :meth:`stiffness` and :meth:`edges` raise
+    /// ``OutdatedSolution`` until the next step.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let is_law = friction.is_law();
         let friction = friction.on(py, self.grid())?;

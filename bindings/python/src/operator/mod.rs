@@ -210,7 +210,7 @@ pub(crate) fn numbers<'py>(
     contiguous(&in_axes(object, "the array", None)?, cells)
 }
 
-/// Returns an error if an operand is a field on a grid other than that of the operator. Arrays have no grid.
+/// Returns an error if an operand is a field whose grid differs from the grid of the operator. Arrays have no grid.
 pub(crate) fn check_grid(object: &Bound<'_, PyAny>, grid: Option<stickslip::Grid>) -> PyResult<()> {
     match (grid, object.cast::<Field>()) {
         (Some(grid), Ok(field)) => {
