@@ -7,7 +7,9 @@ mod tests;
 
 use crate::error::counted;
 
-use limits::{LARGEST_RESIDUAL, LOWEST_CAP, LOWEST_PRESSURE, MANY_SPOTS, refinement};
+use limits::{
+    LARGEST_COUPLING, LARGEST_RESIDUAL, LOWEST_CAP, LOWEST_PRESSURE, MANY_SPOTS, refinement,
+};
 pub(crate) use limits::{LARGEST_SEAM, LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
 use resolution::{RESOLVED_AREA, RESOLVED_LINE};
@@ -269,6 +271,18 @@ pub enum Warning {
         /// The measure of the neglected lift in millionths, rounded up.
         per_million: usize,
     },
+    /// The scalar model with [one-way coupling](crate::Coupling::OneWay) neglects tractions across its axis, and
+    /// [Dundurs' beta](crate::ElasticPair::dundurs_beta) exceeds half of the mean coefficient of friction. For coated bodies the
+    /// ratio of their [response](crate::ElasticPair::response) replaces beta. Pressure draws the surfaces inwards in all
+    /// directions, so that the neglected tractions reduce the stick zone. The
+    /// [vector model](crate::TangentialModel::Vector) and [full coupling](crate::Coupling::Full) include these tractions.
+    ///
+    /// On a sphere the stick ratio is about 8 % too large at a ratio of 0.5, and 40 % at a ratio of 1. Contacts that do not vary
+    /// across the axis do not have this warning.
+    NeglectedTraction {
+        /// Dundurs' beta divided by the mean coefficient of friction, in per cent.
+        per_cent: usize,
+    },
     /// A layer of a [coated](crate::Material::coated) body is more than ten times as thick as the longest side of the grid.
     /// The solution is then almost that of a contact without the material below this layer. A common cause is an inconsistent
     /// unit of the thickness.
@@ -476,6 +490,10 @@ impl std::fmt::Display for Warning {
                 "the cycle deviates by {per_cent} % from a closed loop, expected at most {LARGEST_RESIDUAL} %, so that energies and slip distances are not those of a steady cycle: begin the cycle anew and repeat the loop until it closes"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
+            Self::NeglectedTraction { per_cent } => write!(
+                formatter,
+                "Dundurs' beta is {per_cent} % of the mean coefficient of friction, expected at most {LARGEST_COUPLING} % in the scalar model with one-way coupling, which neglects the tractions across its axis: use the vector model, or full coupling"
+            ),
             Self::CoatingBeyondGrid { sides } => write!(
                 formatter,
                 "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has almost no effect on the contact: check the units of thickness and grid"

@@ -147,7 +147,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// In this problem, such bodies are pressed together in one step. One step is exact for a contact that does not
     /// grow, such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
     /// growing load. The solution then has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep). Use
-    /// [`History::press`](crate::History::press) to press in several steps.
+    /// [`History::press`](crate::History::press) to press in several steps. In the scalar model, the pressure acts only along the
+    /// axis of the tractions ([`NeglectedTraction`](crate::Warning::NeglectedTraction)).
     ///
     /// ```
     /// use stickslip::*;

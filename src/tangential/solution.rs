@@ -57,6 +57,9 @@ record! {
             /// Warning about a prescribed pressure far below or above the contact modulus.
             #[cfg_attr(feature = "serde", serde(default))]
             pressure_warning: Option<Warning>,
+            /// Dundurs' beta over the mean coefficient of friction in per cent, if the model neglects large tractions.
+            #[cfg_attr(feature = "serde", serde(default))]
+            coupling_per_cent: Option<usize>,
             /// Largest relative displacement in the contact over the longest side of the grid, in tenths, if it is large.
             #[cfg_attr(feature = "serde", serde(default))]
             displacement_tenths: Option<usize>,
@@ -110,6 +113,7 @@ impl TangentialSolution {
             friction_tenths: None,
             cap_parts: None,
             pressure_warning: None,
+            coupling_per_cent: None,
             displacement_tenths: None,
             strain_per_mille: None,
             pressed: PressureFingerprint::default(),
@@ -161,6 +165,11 @@ impl TangentialSolution {
     /// Sets whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
         self.is_pressed_at_once = is_at_once;
+    }
+
+    /// Sets Dundurs' beta over the mean coefficient of friction in per cent, if the model neglects large tractions.
+    pub(crate) fn set_neglected_traction(&mut self, per_cent: Option<usize>) {
+        self.coupling_per_cent = per_cent;
     }
 
     /// Sets the warning about the prescribed pressure, or `None` for the pressure of a solved contact.
@@ -403,7 +412,8 @@ impl TangentialSolution {
     }
 
     /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large bulk strain, a large
-    /// twist, a large coefficient of friction, a low cap of the friction and a low or high prescribed pressure.
+    /// twist, a large coefficient of friction, a low cap of the friction, neglected tractions and a low or high prescribed
+    /// pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
@@ -412,7 +422,11 @@ impl TangentialSolution {
         let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
         let strain = Warning::of_strain(self.strain_per_mille);
         let of_shift = shift.into_iter().chain(strain).chain(twist);
-        of_shift.chain(friction).chain(self.pressure_warning)
+        let coupling = Warning::of_coupling(self.coupling_per_cent);
+        of_shift
+            .chain(friction)
+            .chain(coupling)
+            .chain(self.pressure_warning)
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

@@ -266,6 +266,7 @@ impl Model<TangentialSolution> for TangentialProblem {
         let input = (axis, &problem.friction, problem.relative.as_ref());
         solution.fill(bodies, input, &answer, &engine.report);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
+        solution.set_neglected_traction(answer.neglected_traction(bodies, problem.coupling));
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);
         let of_pressure = || engine.increment.pressed.pressure_warning(bodies);
         solution.set_pressure_warning(problem.is_prescribed.then(of_pressure).flatten());

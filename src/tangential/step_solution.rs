@@ -1,13 +1,15 @@
 //! Solution of a step in the cells of a window.
 
+use crate::bodies::coupling::Coupling;
 use crate::cgm::reduce;
 use crate::contact::pressure_fingerprint::PressureFingerprint;
 use crate::grid::Grid;
-use crate::half_space::Region;
+use crate::half_space::{HalfSpace, Region};
 use crate::numerics::cell_vector::{dot, length, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
 use crate::tangential::traction_solver::at;
 use crate::tangential::{Axis, Friction, Offsets, PressureOnWindow, RigidMotion, Zone};
+use crate::warning::Warning;
 
 /// Largest pressure of a cell at an edge at which the pressure falls to zero, over the mean pressure. At the centre of a flat punch
 /// the pressure is half of the mean pressure, without any slip.
@@ -17,6 +19,9 @@ const LOW_PRESSURE: f64 = 0.5;
 const STEEPER_USE: f64 = 2.0;
 /// Mean use of the limits below which the tractions may be round-off.
 const LEAST_USE: f64 = 1e-6;
+
+/// Relative difference of the pressures of neighbouring cells above which the pressure varies. It exceeds usual tolerances.
+const LEAST_VARIATION: f64 = 1e-2;
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
 /// model omits is an empty slice.
@@ -116,6 +121,45 @@ impl<'a> StepSolution<'a> {
         friction
             .within(self.region)
             .low_cap(self.region.layout(), self.pressure)
+    }
+
+    /// Returns Dundurs' beta over the mean coefficient of friction in per cent, if one-way coupling acts along one axis only and
+    /// the tractions across this axis are not small. The function is collective.
+    pub(crate) fn neglected_traction(
+        &self,
+        bodies: &HalfSpace,
+        coupling: Coupling,
+    ) -> Option<usize> {
+        let &[axis] = self.axes else {
+            return None;
+        };
+        if !coupling.is_one_way(bodies.pair()) {
+            return None;
+        }
+        let (limits, pressure) = (self.limits, self.pressure);
+        let [capacity, force] =
+            reduce::sum(self.region.layout(), |cell| [limits[cell], pressure[cell]]);
+        if capacity <= 0.0 {
+            return None;
+        }
+        let ratio = bodies.pair().coupling_strength().abs() * force / capacity;
+        let across = 1 - axis.index();
+        Warning::coupling_beyond(ratio).filter(|_| self.varies_along(across, bodies))
+    }
+
+    /// Returns whether the pressure varies along an axis. A pressure on one line of cells does not vary. The function is
+    /// collective.
+    fn varies_along(&self, axis: usize, bodies: &HalfSpace) -> bool {
+        let is_line = self.region.window().size[axis] == 1;
+        if is_line || !bodies.boundary().repeats()[axis] {
+            return !is_line;
+        }
+        let columns = self.region.own().size[0];
+        reduce::any(self.region.layout(), |cell| {
+            let (place, step) = [(cell % columns, 1), (cell / columns, columns)][axis];
+            let pressure = self.pressure[cell];
+            place > 0 && (pressure - self.pressure[cell - step]).abs() > LEAST_VARIATION * pressure
+        })
     }
 
     /// Returns whether a step in which no cell slips has a slip zone inside its outermost cells. `change` is the change of the

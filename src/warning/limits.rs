@@ -29,6 +29,9 @@ const LARGE_CREEPAGE: f64 = 0.1 * (1.0 - 1e-12);
 /// Largest coefficient of friction without a warning, in tenths.
 const LARGEST_FRICTION: usize = 50;
 
+/// Largest coupling of pressure and traction without a warning in the scalar model, in per cent of the coefficient of friction.
+pub(super) const LARGEST_COUPLING: usize = 50;
+
 /// Largest change of the gap without a warning, in tenths of the largest normal displacement.
 const LARGEST_GAP_CHANGE: usize = 10;
 
@@ -131,6 +134,16 @@ impl Warning {
     /// Returns a coefficient of friction in tenths, or `None` if the coefficient is common.
     pub(crate) fn friction_beyond(coefficient: f64) -> Option<usize> {
         tenths_beyond(coefficient, LARGEST_FRICTION)
+    }
+
+    /// Returns a ratio of Dundurs' beta to the coefficient of friction in per cent, or `None` if the coupling is weak.
+    pub(crate) fn coupling_beyond(ratio: f64) -> Option<usize> {
+        tenths_beyond(10.0 * ratio, LARGEST_COUPLING)
+    }
+
+    /// Returns the warning about neglected tractions for a ratio in per cent, or `None` if the coupling is weak.
+    pub(crate) fn of_coupling(per_cent: Option<usize>) -> Option<Self> {
+        per_cent.map(|per_cent| Self::NeglectedTraction { per_cent })
     }
 
     /// Returns the ratio of the friction capacity without a cap to the capacity, or `None` if the ratio is small or the capacity is

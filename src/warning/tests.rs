@@ -9,7 +9,7 @@ variants! { Warning:
     ApproachBeyondGrid ShiftBeyondGrid LargeBulkStrain LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
     LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
-    UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
+    UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift NeglectedTraction CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
 
@@ -205,6 +205,10 @@ fn every_warning_has_its_text() {
                 per_million: 10_500,
             },
             "tractions displace the surfaces of bodies that couple pressure and traction by 1.0500 % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
+        ),
+        (
+            Warning::NeglectedTraction { per_cent: 73 },
+            "Dundurs' beta is 73 % of the mean coefficient of friction, expected at most 50 % in the scalar model with one-way coupling, which neglects the tractions across its axis: use the vector model, or full coupling",
         ),
         (
             Warning::CoatingBeyondGrid { sides: 1000 },

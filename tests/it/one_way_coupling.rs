@@ -6,7 +6,7 @@ use stickslip::analytical::SpencePressing;
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Grid, HalfSpace, History,
     LoadStep, NormalLoad, NormalProblem, TangentialControl, TangentialLoad, TangentialModel,
-    TangentialProblem, TangentialSolution, surface,
+    TangentialProblem, TangentialSolution, Warning, surface,
 };
 
 fn on_rigid(beta: f64) -> ElasticPair {
@@ -267,4 +267,50 @@ fn set_state_takes_coupling_of_state() {
             assert!(returned.to_bytes() == expected.to_bytes());
         }
     }
+}
+
+/// The scalar model with one-way coupling warns if the tractions across its axis are not small compared with the friction
+/// limit. Other models, stronger friction, frictionless contacts and contacts that do not vary across the axis do not warn.
+#[test]
+fn scalar_model_warns_of_neglected_tractions() {
+    let warned = |coefficient, coupling, model| {
+        let (bodies, gap) = ball(0.2);
+        let builder = History::builder(&bodies, &gap, kit::coulomb(coefficient));
+        let mut history = builder.coupling(coupling).model(model).build().unwrap();
+        let press = LoadStep::hold().normal(NormalLoad::Force(0.1));
+        history.step(&press).unwrap();
+        neglected(&history.last_step().unwrap().warnings())
+    };
+    let (scalar, vector) = (TangentialModel::Scalar, TangentialModel::Vector);
+    assert_eq!(warned(0.25, Coupling::OneWay, scalar), Some(80));
+    assert_eq!(warned(0.5, Coupling::OneWay, scalar), None);
+    assert_eq!(warned(0.0, Coupling::OneWay, scalar), None);
+    assert_eq!(warned(0.25, Coupling::OneWay, vector), None);
+    assert_eq!(warned(0.25, Coupling::Full, scalar), None);
+    assert_eq!(warned(0.25, Coupling::Neglected, scalar), None);
+
+    let cylinder = |rows: usize, axis: Axis| {
+        let grid = Grid::new(32, rows, 0.075, 0.1).unwrap();
+        let boundary = Boundary::PeriodicAlongY { datum: 10.0 };
+        let bodies = HalfSpace::with_boundary(grid, on_rigid(0.2), boundary).unwrap();
+        let gap = Field::from_fn(grid, |x, _| 0.05 * x * x);
+        let force = NormalLoad::Force(2e-3 * rows as f64);
+        let normal = kit::solve(NormalProblem::builder(&bodies, &gap, force));
+        let mut shift = [0.0; 2];
+        shift[axis.index()] = 1e-6;
+        let load = TangentialLoad::shift(shift);
+        let builder = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.2), load);
+        neglected(&kit::solve(builder).warnings())
+    };
+    assert_eq!(cylinder(1, Axis::X), None);
+    assert_eq!(cylinder(4, Axis::X), None);
+    assert_eq!(cylinder(4, Axis::Y), Some(100));
+}
+
+/// Returns the ratio of a warning about neglected tractions in per cent.
+fn neglected(warnings: &[Warning]) -> Option<usize> {
+    warnings.iter().find_map(|warning| match *warning {
+        Warning::NeglectedTraction { per_cent } => Some(per_cent),
+        _ => None,
+    })
 }

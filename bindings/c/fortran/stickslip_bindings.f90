@@ -418,6 +418,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PERIODIC_SEAM = 33
     ! Warning: a component of a bulk strain exceeds 0.02, as a strain in per cent.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_BULK_STRAIN = 34
+    ! Warning: the scalar model with one-way coupling neglects large tractions across its axis.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGLECTED_TRACTION = 35
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

@@ -358,6 +358,9 @@
 // Warning: a component of a bulk strain exceeds 0.02, as a strain in per cent.
 #define STICKSLIP_WARNING_LARGE_BULK_STRAIN 34
 
+// Warning: the scalar model with one-way coupling neglects large tractions across its axis.
+#define STICKSLIP_WARNING_NEGLECTED_TRACTION 35
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 

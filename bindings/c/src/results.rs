@@ -179,6 +179,8 @@ pub const STICKSLIP_WARNING_LOW_PRESSURE: i32 = 32;
 pub const STICKSLIP_WARNING_PERIODIC_SEAM: i32 = 33;
 /// Warning: a component of a bulk strain exceeds 0.02, as a strain in per cent.
 pub const STICKSLIP_WARNING_LARGE_BULK_STRAIN: i32 = 34;
+/// Warning: the scalar model with one-way coupling neglects large tractions across its axis.
+pub const STICKSLIP_WARNING_NEGLECTED_TRACTION: i32 = 35;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -230,6 +232,7 @@ impl From<&Warning> for stickslip_warning {
             Warning::LargeContactRadius { .. } => (STICKSLIP_WARNING_LARGE_CONTACT_RADIUS, 0, 0),
             Warning::SteepSurface { .. } => (STICKSLIP_WARNING_STEEP_SURFACE, 0, 0),
             Warning::HeldShiftLostForce { .. } => (STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE, 0, 0),
+            Warning::NeglectedTraction { .. } => (STICKSLIP_WARNING_NEGLECTED_TRACTION, 0, 0),
             Warning::NeglectedLift { .. } => (STICKSLIP_WARNING_NEGLECTED_LIFT, 0, 0),
             Warning::CoatingBeyondGrid { .. } => (STICKSLIP_WARNING_COATING_BEYOND_GRID, 0, 0),
             Warning::CoatingBelowCell { .. } => (STICKSLIP_WARNING_COATING_BELOW_CELL, 0, 0),

@@ -76,6 +76,8 @@ impl History {
         let report = found.map_or(&unsolved, |_| scheme.report());
         step.tangential_report.clone_from(report);
         step.remarks.cap_parts = found.and_then(|found| found.low_cap(&state.friction));
+        step.remarks.coupling_per_cent =
+            found.and_then(|found| found.neglected_traction(bodies, state.coupling));
         let moved = motion.since(state.motion);
         let (moved, twisted) = (moved.shift, moved.twist);
         let before = candidate.held().map(NormalSolution::pressure);

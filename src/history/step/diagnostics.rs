@@ -56,6 +56,8 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
+    /// Dundurs' beta over the mean coefficient of friction in a step with large neglected tractions, in per cent.
+    pub(in crate::history) coupling_per_cent: Option<usize>,
     /// Resolution of the contact and its zones: the smallest number of stick cells and the widest slip zone.
     pub(in crate::history) resolution: Resolution,
 }
@@ -84,6 +86,7 @@ impl StepDiagnostics {
             hardness_parts: self.hardness_parts.max(other.hardness_parts),
             gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
+            coupling_per_cent: self.coupling_per_cent.max(other.coupling_per_cent),
             resolution: self.resolution.and(other.resolution),
         }
     }
@@ -122,6 +125,7 @@ impl StepDiagnostics {
         all.chain(beyond)
             .chain(hardness)
             .chain(lift)
+            .chain(Warning::of_coupling(self.coupling_per_cent))
             .chain(zones)
             .chain(self.scale.warnings())
             .chain(shift)

@@ -231,7 +231,8 @@ impl StepResult {
     /// - [`Warning::LargeGapChange`],
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::UnusedRelativeDisplacement`],
-    /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling.
+    /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling,
+    /// - [`Warning::NeglectedTraction`] for one-way coupling in the scalar model.
     ///
     /// Only [`History::normal`](crate::History::normal) returns the other warnings, for example about spots too small
     /// to resolve.

@@ -7930,7 +7930,7 @@ class Warning:
     ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_bulk_strain``, ``large_twist``,
     ``large_creepage``, ``large_friction``, ``low_hardness``, ``low_shear_stress``, ``low_pressure``,
     ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``, ``not_converged``, ``steep_surface``,
-    ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``, ``open_cycle``, ``neglected_lift``,
+    ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``neglected_traction``,
     ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are
     ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
     """
