@@ -11,7 +11,7 @@ use crate::argument::Object;
 use crate::array::{Array, copy};
 use crate::digits::short;
 use crate::error::{OrRaise, named};
-use crate::field::{Samples, Spread, grid_of};
+use crate::field::{Samples, Spread, grid_of, one_unit};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
@@ -83,6 +83,8 @@ fn of_any_cells(
 /// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
 /// Shape
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+/// ValueError
+///     If the units of the slip and of the earlier depth differ.
 #[pyfunction]
 #[pyo3(signature = (coefficient, pressure, slip_distance, *, depth=None, grid=None))]
 pub(crate) fn archard<'py>(
@@ -97,6 +99,12 @@ pub(crate) fn archard<'py>(
         py,
         grid.as_deref(),
         &[&pressure, &slip_distance, &coefficient],
+    )?;
+    one_unit(
+        &[Some(&slip_distance), depth.as_ref()]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>(),
     )?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
