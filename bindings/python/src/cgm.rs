@@ -14,8 +14,8 @@ use crate::array::{Array, view_slice};
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{in_python, short};
-use crate::error::with_iterate;
-use crate::field::Field;
+use crate::error::{OrRaise, with_iterate};
+use crate::field::{Field, same_grid};
 use crate::operator::{LinearOperator, Shared, check_grid, numbers, product_of};
 use crate::pickle::picklable;
 use crate::progress::Progress;
@@ -136,7 +136,7 @@ picklable!(Minimum: Found);
 /// ------
 /// Length, Sample, Bounds, Total, Method, Tolerance, IterationLimit, NotConverged
 /// GridMismatch
-///     If a field is on a grid that differs from that of the operator or of another field.
+///     If a field or the preconditioner is on a grid that differs from that of the operator, or if the grids of two fields differ.
 /// Shape
 ///     If the shape of an array is not that of this grid, for example because the array is transposed.
 ///
@@ -197,6 +197,10 @@ pub(crate) fn minimise<'py>(
         start.as_ref(),
     ];
     check_grids(arrays, grid)?;
+    let of_inverse = preconditioner.as_ref().and_then(|given| given.grid);
+    if let Some((grid, found)) = grid.zip(of_inverse) {
+        same_grid(grid, found, "the preconditioner").or_raise(py)?;
+    }
     let unknowns: usize = py
         .import("numpy")?
         .call_method1("size", (&linear,))?

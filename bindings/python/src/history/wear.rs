@@ -11,11 +11,12 @@ use crate::argument::Object;
 use crate::array::{Array, copy};
 use crate::digits::short;
 use crate::error::{OrRaise, named};
-use crate::field::{Samples, Spread, grid_of, one_unit};
+use crate::field::{Samples, Spread, grid_of};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
 use crate::real::Real;
+use crate::unit::one_of;
 use crate::work::unobserved_on;
 
 /// Returns a wear coefficient in the form required by the crate.
@@ -100,12 +101,8 @@ pub(crate) fn archard<'py>(
         grid.as_deref(),
         &[&pressure, &slip_distance, &coefficient],
     )?;
-    one_unit(
-        &[Some(&slip_distance), depth.as_ref()]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>(),
-    )?;
+    let earlier = depth.as_ref().map(Samples::unit).transpose()?;
+    one_of([slip_distance.unit()?, earlier.flatten()])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let pressure = pressure.of_each_cell(py, "pressure", grid, PRESSURE_OF_CELLS)?;
