@@ -28,10 +28,10 @@ use crate::xarray::only_first_operand;
 /// Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
 /// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
 /// ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
-/// either order, is computed cell by cell and is a field. A quotient by zero, and any other result that is not finite, issues the warning
-/// of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
-/// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
-/// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
+/// either order, is computed cell by cell and is a field. A quotient by zero, and any other result that is not finite, issues the
+/// warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans. Two fields are compared as a whole by
+/// ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
+/// different units raise an error. The axes of an array of xarray with the
 /// dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
 /// steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
 /// either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
@@ -53,7 +53,8 @@ use crate::xarray::only_first_operand;
 /// -----
 /// A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
 /// A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
-/// does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+/// does. Products and ratios of two fields with units, inverse fields and powers have no unit. A gap that replaces the gap of
+/// a solver or history has the unit of that gap, and raises an error if it states another unit.
 ///
 /// Bodies, loads and grids have no unit. A gap is therefore used as given: its lengths must have the unit of the sides of the
 /// grid, and moduli and forces a consistent unit. ``Field(grid, heights, "um")`` states that heights and cell sides are both in

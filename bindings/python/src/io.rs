@@ -583,8 +583,8 @@ pub(crate) fn vti_to_bytes<'py>(
 /// Parameters
 /// ----------
 /// path : path_like
-///     The PVD file, whose name ends in ``.pvd``; the images are written to the same folder. Both are complete after each call of :meth:`write`, so that the
-///     writer needs no ``with`` and no ``close``.
+///     The PVD file, whose name ends in ``.pvd``. The images are written to the same folder. Both are complete after each call of
+///     :meth:`write`, so that the writer needs no ``with`` and no ``close``.
 ///
 /// Raises
 /// ------
