@@ -120,7 +120,7 @@ pub(crate) use model_fields;
 /// | `set_loads` | | | | | all loads |
 /// | `gap`, `set_gap` | yes | | yes | | yes |
 /// | `set_pressure` | | yes | | yes | |
-/// | `set_friction` | | yes | yes | yes | yes |
+/// | `friction`, `set_friction` | | yes | yes | yes | yes |
 /// | `set_hardness` | yes | | yes | | |
 /// | `set_relative_displacement` | | yes | yes | | |
 /// | `friction_capacity` | | yes | | yes | |

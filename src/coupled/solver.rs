@@ -85,6 +85,12 @@ impl CoupledSolver {
         field::replace(&mut self.problem.gap, gap)
     }
 
+    /// Returns the friction of the next solve, with its cap: the last friction that was given or [set](Self::set_friction).
+    #[must_use]
+    pub fn friction(&self) -> &Friction {
+        &self.problem.friction
+    }
+
     /// Changes the friction of the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors

@@ -2,11 +2,11 @@
 
 use kit::unit_bodies;
 use stickslip::normal::Hardness;
-use stickslip::rolling::RollingProblem;
+use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    CoupledProblem, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
-    TangentialLoad, TangentialProblem,
+    Axis, CoupledProblem, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, TangentialLoad, TangentialProblem,
 };
 
 fn dissimilar(grid: Grid) -> (HalfSpace, Field) {
@@ -133,4 +133,51 @@ fn new_friction_without_cap_removes_cap() {
     history.set_friction(&uncapped).unwrap();
     let slide = LoadStep::shift([0.5, 0.0]).normal(press);
     check(history.step(&slide).unwrap().tangential_force()[0]);
+}
+
+#[test]
+fn friction_of_solver_is_last_friction_accepted() {
+    let grid = kit::square(16, 2.8);
+    let (bodies, gap) = (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0));
+    let press = NormalLoad::Force(0.05);
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
+    let capped = kit::coulomb(0.3).max_shear_stress(0.5).unwrap();
+    let per_cell = Friction::per_cell(Field::constant(grid, 0.4)).unwrap();
+    let foreign = Friction::per_cell(Field::constant(kit::square(8, 2.8), 0.4)).unwrap();
+    let drag = TangentialLoad::force([0.01, 0.0]);
+    let force = RollingControl::Force(0.01);
+    macro_rules! check {
+        ($solver:expr) => {{
+            let mut solver = $solver;
+            assert_eq!(solver.friction(), &capped);
+            solver.set_friction(&per_cell).unwrap();
+            assert_eq!(solver.friction(), &per_cell);
+            solver.set_friction(&capped).unwrap();
+            solver.set_friction(&foreign).unwrap_err();
+            assert_eq!(solver.friction(), &capped);
+            solver
+        }};
+    }
+
+    let problem = TangentialProblem::builder(&bodies, &normal, capped.clone(), drag);
+    let mut solver = check!(kit::solver(problem));
+    // The new friction cannot carry the load.
+    solver.set_friction(&kit::coulomb(0.1)).unwrap_err();
+    assert_eq!(solver.friction(), &capped);
+
+    let problem = CoupledProblem::builder(&bodies, &gap, capped.clone(), press, drag);
+    check!(kit::solver(problem));
+
+    let problem = RollingProblem::builder(&bodies, &normal, capped.clone());
+    let mut solver = check!(kit::solver(problem.control(Axis::X, force)));
+    solver.set_friction(&kit::coulomb(0.1)).unwrap_err();
+    assert_eq!(solver.friction(), &capped);
+
+    let problem = CoupledRollingProblem::builder(&bodies, &gap, capped.clone(), press);
+    let mut solver = check!(kit::solver(problem.control(Axis::X, force)));
+    solver.set_friction(&kit::coulomb(0.1)).unwrap_err();
+    assert_eq!(solver.friction(), &capped);
+
+    let history = History::builder(&bodies, &gap, capped.clone());
+    check!(history.build().unwrap());
 }

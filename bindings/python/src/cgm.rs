@@ -14,8 +14,9 @@ use crate::array::{Array, view_slice};
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{in_python, short};
-use crate::error::with_iterate;
-use crate::operator::{LinearOperator, Shared, numbers, product_of};
+use crate::error::{OrRaise, with_iterate};
+use crate::field::{Field, same_grid};
+use crate::operator::{LinearOperator, Shared, check_grid, numbers, product_of};
 use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::real::{Count, Real};
@@ -42,6 +43,18 @@ pub(crate) fn bounds(
         Some(object) => for_each(&object, cells),
     };
     Ok([bound(lower, 0.0)?, bound(upper, f64::INFINITY)?])
+}
+
+/// Returns an error unless all operands belong to the grid of the operator. Without it, they must belong to the grid of the first
+/// field.
+pub(crate) fn check_grids<const N: usize>(
+    operands: [Option<&Bound<'_, PyAny>>; N],
+    grid: Option<stickslip::Grid>,
+) -> PyResult<()> {
+    let mut given = operands.into_iter().flatten();
+    let of_field = |operand: &Bound<'_, PyAny>| Some(operand.cast::<Field>().ok()?.get().0.grid());
+    let grid = grid.or_else(|| given.clone().find_map(of_field));
+    given.try_for_each(|operand| check_grid(operand, grid))
 }
 
 /// Constrained minimum of a quadratic form.
@@ -92,7 +105,7 @@ picklable!(Minimum: Found);
 /// operator : LinearOperator or callable
 ///     The symmetric operator C; a callable receives an array of the unknowns and returns its product with C.
 /// linear : array_like
-///     The linear term, one number per unknown.
+///     The linear term, one number per unknown: a flat array, or a Field or an array of shape (ny, nx) on the grid of the operator.
 /// lower, upper : float or array_like, optional
 ///     Bounds of the unknowns; zero and infinity by default.
 /// total : float, optional
@@ -122,6 +135,10 @@ picklable!(Minimum: Found);
 /// Raises
 /// ------
 /// Length, Sample, Bounds, Total, Method, Tolerance, IterationLimit, NotConverged
+/// GridMismatch
+///     If a field or the preconditioner is on a grid that differs from that of the operator, or if the grids of two fields differ.
+/// Shape
+///     If the shape of an array is not that of this grid, for example because the array is transposed.
 ///
 /// Examples
 /// --------
@@ -169,7 +186,21 @@ pub(crate) fn minimise<'py>(
             ));
         }
     };
-    let is_function = operator.cast::<LinearOperator>().is_err();
+    let known = operator.cast::<LinearOperator>().ok();
+    let is_function = known.is_none();
+    let grid = known.and_then(|operator| operator.get().grid);
+    let arrays = [
+        Some(&linear),
+        lower.as_ref(),
+        upper.as_ref(),
+        diagonal.as_ref(),
+        start.as_ref(),
+    ];
+    check_grids(arrays, grid)?;
+    let of_inverse = preconditioner.as_ref().and_then(|given| given.grid);
+    if let Some((grid, found)) = grid.zip(of_inverse) {
+        same_grid(grid, found, "the preconditioner").or_raise(py)?;
+    }
     let unknowns: usize = py
         .import("numpy")?
         .call_method1("size", (&linear,))?

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use numpy::PyUntypedArray;
+use numpy::{IntoPyArray, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pyclass::CompareOp;
@@ -20,7 +20,7 @@ use crate::real::{
     Count, by_axis, check_coordinates, in_axes, is_no_mask, is_no_truth_value, is_real, misshapen,
     plane, shape_error, wrong_type,
 };
-use crate::unit::{Unit, factor, is_same, known, one_of};
+use crate::unit::{Unit, factor, is_same, known, of_next_gap, one_of};
 use crate::xarray::only_first_operand;
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -28,9 +28,10 @@ use crate::xarray::only_first_operand;
 /// Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
 /// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
 /// ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
-/// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
-/// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
-/// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
+/// either order, is computed cell by cell and is a field. A quotient by zero, and any other result that is not finite, issues the
+/// warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans. Two fields are compared as a whole by
+/// ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
+/// different units raise an error. The axes of an array of xarray with the
 /// dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
 /// steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
 /// either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
@@ -52,14 +53,16 @@ use crate::xarray::only_first_operand;
 /// -----
 /// A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
 /// A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
-/// does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+/// does. Products and ratios of two fields with units, inverse fields and powers have no unit. A gap that replaces the gap of
+/// a solver or history has the unit of that gap, and raises an error if it states another unit.
 ///
 /// Bodies, loads and grids have no unit. A gap is therefore used as given: its lengths must have the unit of the sides of the
 /// grid, and moduli and forces a consistent unit. ``Field(grid, heights, "um")`` states that heights and cell sides are both in
 /// micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
 /// An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
 /// coordinates without this attribute have the unit of the array.
-/// In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error.
+/// In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error. The
+/// reverse order of a ``Variable`` of xarray raises none and ignores the names of its axes.
 ///
 /// Raises
 /// ------
@@ -317,27 +320,27 @@ impl Field {
     }
 
     fn __add__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.of_one_unit(py, &other, |own, other| own + other)
+        self.of_one_unit(py, &other, &SUM, false)
     }
 
     fn __radd__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.of_one_unit(py, &other, |own, other| other + own)
+        self.of_one_unit(py, &other, &SUM, true)
     }
 
     fn __sub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.of_one_unit(py, &other, |own, other| own - other)
+        self.of_one_unit(py, &other, &DIFFERENCE, false)
     }
 
     fn __rsub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.of_one_unit(py, &other, |own, other| other - own)
+        self.of_one_unit(py, &other, &DIFFERENCE, true)
     }
 
     fn __mul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.times(py, &other)
+        self.times(py, &other, false)
     }
 
     fn __rmul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.times(py, &other)
+        self.times(py, &other, true)
     }
 
     fn __truediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
@@ -345,12 +348,12 @@ impl Field {
             None => self.1.clone(),
             Some(_) => None,
         };
-        let quotient = self.by_cell(py, &other, |own, other| own / other)?;
+        let quotient = self.by_cell(py, &other, &QUOTIENT, false)?;
         Ok(Self(quotient.0, unit))
     }
 
     fn __rtruediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| other / own)
+        self.by_cell(py, &other, &QUOTIENT, true)
     }
 
     fn __pow__(
@@ -360,7 +363,7 @@ impl Field {
         modulo: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         without_modulo(modulo.as_ref())?;
-        self.by_cell(py, &other, f64::powf)
+        self.by_cell(py, &other, &POWER, false)
     }
 
     fn __rpow__(
@@ -370,7 +373,7 @@ impl Field {
         modulo: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         without_modulo(modulo.as_ref())?;
-        self.by_cell(py, &other, |own, other| other.powf(own))
+        self.by_cell(py, &other, &POWER, true)
     }
 
     fn __abs__(&self, py: Python<'_>) -> PyResult<Self> {
@@ -449,6 +452,15 @@ impl Stored for Field {
     }
 }
 
+/// Operation on two samples, with the NumPy function of the same operation.
+type Operation = (&'static str, fn(f64, f64) -> f64);
+
+const SUM: Operation = ("add", |left, right| left + right);
+const DIFFERENCE: Operation = ("subtract", |left, right| left - right);
+const PRODUCT: Operation = ("multiply", |left, right| left * right);
+const QUOTIENT: Operation = ("divide", |left, right| left / right);
+const POWER: Operation = ("power", f64::powf);
+
 /// NumPy functions that accept operands of different units: products, quotients, powers and logic, as in the arithmetic of
 /// fields.
 const IGNORE_UNITS: [&str; 21] = [
@@ -486,32 +498,51 @@ impl Field {
         &self,
         py: Python<'_>,
         other: &Samples<'_>,
-        operation: fn(f64, f64) -> f64,
+        operation: &Operation,
+        is_reflected: bool,
     ) -> PyResult<Self> {
         let unit = one_of([self.1.clone(), other.unit()?])?;
-        Ok(Self(self.by_cell(py, other, operation)?.0, unit))
+        let field = self.by_cell(py, other, operation, is_reflected)?;
+        Ok(Self(field.0, unit))
     }
 
     /// Returns the product cell by cell, with a unit if exactly one factor has a unit.
-    fn times(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Self> {
+    fn times(&self, py: Python<'_>, other: &Samples<'_>, is_reflected: bool) -> PyResult<Self> {
         let unit = match (self.1.clone(), other.unit()?) {
             (Some(unit), None) | (None, Some(unit)) => Some(unit),
             _ => None,
         };
-        let product = self.by_cell(py, other, |own, other| own * other)?;
+        let product = self.by_cell(py, other, &PRODUCT, is_reflected)?;
         Ok(Self(product.0, unit))
     }
 
-    /// Applies an operation cell by cell with a second field.
+    /// Applies an operation cell by cell with a second field, which is the first operand of a reflected operation. NumPy issues its
+    /// warning of results that are not finite, such as quotients by zero. Missing points have none.
     fn by_cell(
         &self,
         py: Python<'_>,
         other: &Samples<'_>,
-        operation: fn(f64, f64) -> f64,
+        (ufunc, operation): &Operation,
+        is_reflected: bool,
     ) -> PyResult<Self> {
         let other = self.beside(py, other)?;
-        let pairs = self.0.as_slice().iter().zip(other.as_slice());
-        let samples = pairs.map(|(own, other)| operation(*own, *other)).collect();
+        let mut operands = [&*self.0, &*other];
+        if is_reflected {
+            operands.reverse();
+        }
+        let [left, right] = operands.map(stickslip::Field::as_slice);
+        let pairs = || left.iter().zip(right).map(|(left, right)| (*left, *right));
+        let samples = pairs().map(|(left, right)| operation(left, right));
+        let samples: Vec<_> = samples.collect();
+        let is_remarkable = |((left, right), sample): &((f64, f64), &f64)| {
+            !(sample.is_finite() || left.is_nan() || right.is_nan())
+        };
+        let remarkable = pairs().zip(&samples).filter(is_remarkable);
+        let (lefts, rights): (Vec<_>, Vec<_>) = remarkable.map(|(pair, _)| pair).unzip();
+        if !lefts.is_empty() {
+            let pairs = (lefts.into_pyarray(py), rights.into_pyarray(py));
+            py.import("numpy")?.call_method1(*ufunc, pairs)?;
+        }
         let field = stickslip::Field::from_vec(self.0.grid(), samples).or_raise(py)?;
         Ok(field.into())
     }
@@ -750,13 +781,30 @@ impl Samples<'_> {
         self.per_cell_or(py, quantity, grid, "")
     }
 
-    /// Returns the samples as a gap, as [`per_cell`](Self::per_cell), of a constructor whose next argument is friction.
+    /// Returns the samples as a gap with its unit, as [`per_cell`](Self::per_cell).
+    pub(crate) fn gap(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Field> {
+        Ok(Field(self.per_cell(py, "gap", grid)?, self.unit()?))
+    }
+
+    /// Returns the samples as a gap, as [`gap`](Self::gap), of a constructor whose next argument is friction.
     pub(crate) fn gap_before_friction(
         &self,
         py: Python<'_>,
         grid: stickslip::Grid,
-    ) -> PyResult<Arc<stickslip::Field>> {
-        self.per_cell_or(py, "gap", grid, ", and friction after the gap")
+    ) -> PyResult<Field> {
+        let gap = self.per_cell_or(py, "gap", grid, ", and friction after the gap")?;
+        Ok(Field(gap, self.unit()?))
+    }
+
+    /// Returns the samples as a gap that replaces a gap of this unit, or an error if the units differ.
+    pub(crate) fn next_gap(
+        &self,
+        py: Python<'_>,
+        grid: stickslip::Grid,
+        last: Option<&Unit>,
+    ) -> PyResult<Field> {
+        let Field(gap, unit) = self.gap(py, grid)?;
+        Ok(Field(gap, of_next_gap(last, unit)?))
     }
 
     /// Returns the samples as [`per_cell`](Self::per_cell), with an addition to the remedy for a single number.

@@ -1,6 +1,6 @@
 //! Reading of surfaces from files, and writing of fields to files.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -14,7 +14,7 @@ use crate::digits::counted;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, same_grid};
 use crate::grid::Grid;
-use crate::real::{Count, Real, is_plane};
+use crate::real::{Count, Real, is_plane, out_of_range};
 use crate::solution_pool::lock;
 use crate::unit::{Unit, factor, known, one_of};
 
@@ -520,18 +520,37 @@ impl Arrays {
     }
 }
 
+/// Returns an error unless a path ends in the extension by which ParaView chooses its reader.
+fn with_ending(py: Python<'_>, path: &Path, ending: &str) -> PyResult<()> {
+    let given = path.extension();
+    if given.is_some_and(|given| given.eq_ignore_ascii_case(ending)) {
+        return Ok(());
+    }
+    let message = format!(
+        "must end in .{ending}, by which ParaView recognises the format, got \"{}\": give \"{}\"",
+        path.display(),
+        path.with_extension(ending).display()
+    );
+    Err(out_of_range(py, "path", &message))
+}
+
 /// Writes fields to a VTI file (image data) for ParaView.
 ///
 /// Parameters
 /// ----------
 /// path : path_like
-///     The file; an existing file is replaced.
+///     The file, whose name ends in ``.vti``; an existing file is replaced.
 /// fields : dict, solution, State, History, Field or surface
 ///     Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
 ///     load, and ``unloaded_gap`` the gap before loading. ``zones`` contains the numbers 0 separated, 1 stick and 2 slip,
 ///     because a VTI file stores no names.
 /// grid : Grid, optional
 ///     Grid of the fields of a dictionary; required if they are arrays.
+///
+/// Raises
+/// ------
+/// ArgumentRange
+///     If the path does not end in ``.vti``. :func:`to_bytes` returns the content for other paths.
 #[pyfunction]
 #[pyo3(signature = (path, fields, *, grid=None))]
 pub(crate) fn vti_write(
@@ -540,6 +559,7 @@ pub(crate) fn vti_write(
     fields: &Bound<'_, PyAny>,
     grid: Option<Object<Grid>>,
 ) -> PyResult<()> {
+    with_ending(py, &path, "vti")?;
     let arrays = Arrays::of(py, fields, grid.as_deref())?;
     py.detach(|| vti::write(&path, &arrays.named()))
         .or_raise(py)
@@ -563,8 +583,13 @@ pub(crate) fn vti_to_bytes<'py>(
 /// Parameters
 /// ----------
 /// path : path_like
-///     The PVD file; the images are written to the same folder. Both are complete after each call of :meth:`write`, so that the
-///     writer needs no ``with`` and no ``close``.
+///     The PVD file, whose name ends in ``.pvd``. The images are written to the same folder. Both are complete after each call of
+///     :meth:`write`, so that the writer needs no ``with`` and no ``close``.
+///
+/// Raises
+/// ------
+/// ArgumentRange
+///     If the path does not end in ``.pvd``.
 #[pyclass(frozen, module = "stickslip.io.pvd")]
 pub(crate) struct PvdWriter(Mutex<io::pvd::PvdWriter>);
 
@@ -572,6 +597,7 @@ pub(crate) struct PvdWriter(Mutex<io::pvd::PvdWriter>);
 impl PvdWriter {
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        with_ending(py, &path, "pvd")?;
         let series = io::pvd::PvdWriter::new(&path).or_raise(py)?;
         Ok(Self(Mutex::new(series)))
     }

@@ -7,8 +7,6 @@ use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::friction::Friction;
-
 /// Conversion of an object to and from its serialised content.
 pub(crate) trait Stored: Sized {
     type Content: Serialize + DeserializeOwned;
@@ -133,13 +131,6 @@ impl Recipe {
         normal.map_or_else(Vec::new, |normal| normal.get().get().warnings())
     }
 
-    /// Returns the largest shear stress of the friction law, the third positional argument of problems with friction. `None`
-    /// states no limit.
-    pub(crate) fn cap(&self, py: Python<'_>) -> PyResult<Option<f64>> {
-        let friction = self.arguments.bind(py).get_item(2)?;
-        Ok(friction.cast::<Friction>()?.get().0.cap())
-    }
-
     /// Returns both kinds of arguments, for ``__getnewargs_ex__``.
     pub(crate) fn parts<'py>(
         &self,
@@ -216,7 +207,7 @@ kinds!(
     crate::settings::Settings,
     crate::load::LoadStep,
     crate::load::TangentialLoad,
-    Friction,
+    crate::friction::Friction,
     crate::normal::Hardness,
     crate::history::EnergyBalance,
     crate::history::LoadPath,

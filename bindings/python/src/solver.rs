@@ -9,7 +9,6 @@ use pyo3::prelude::*;
 use stickslip::{Iteration, Result};
 
 use crate::error::{OrRaise, with_iterate};
-use crate::friction::{AnyFriction, warn_of_lost_cap};
 use crate::progress::Progress;
 use crate::report::warn;
 use crate::solution_pool::{Spare, lock};
@@ -93,23 +92,19 @@ fn finished<S: Solver>(
 pub(crate) struct Reused<S: Solver> {
     work: Mutex<(S, Spare<S::Solution>)>,
     grid: stickslip::Grid,
-    /// Largest shear stress of the friction law, if there is one.
-    cap: Mutex<Option<f64>>,
 }
 
 impl<S: Solver> Reused<S> {
-    /// Creates the solver of a problem on this grid, with the largest shear stress of its friction law.
+    /// Creates the solver of a problem on this grid.
     pub(crate) fn new(
         py: Python<'_>,
         grid: stickslip::Grid,
-        cap: Option<f64>,
         solver: impl FnOnce() -> Result<S> + Send,
     ) -> PyResult<Self> {
         let solver = unobserved_on(py, grid, solver)?;
         Ok(Self {
             work: Mutex::new((solver, Spare::new())),
             grid,
-            cap: Mutex::new(cap),
         })
     }
 
@@ -133,20 +128,6 @@ impl<S: Solver> Reused<S> {
         change: impl FnOnce(&mut S) -> Result<()> + Send,
     ) -> PyResult<()> {
         self.unobserved(py, change)
-    }
-
-    /// Sets the friction of the next solve. Coefficients alone that replace a law with a largest shear stress issue a warning.
-    pub(crate) fn set_friction(
-        &self,
-        py: Python<'_>,
-        friction: AnyFriction<'_>,
-        set: impl FnOnce(&mut S, &stickslip::Friction) -> Result<()> + Send,
-    ) -> PyResult<()> {
-        let is_law = friction.is_law();
-        let friction = friction.on(py, self.grid)?;
-        self.change(py, |solver| set(solver, &friction))?;
-        let last = std::mem::replace(&mut *lock(&self.cap, "solver")?, friction.cap());
-        warn_of_lost_cap(py, last, is_law)
     }
 
     /// Runs long work with the solver that returns no solution.
@@ -294,3 +275,37 @@ macro_rules! solver {
 }
 
 pub(crate) use solver;
+
+/// Declares the friction of a solver of the crate that has friction.
+macro_rules! frictional {
+    ($class:ident) => {
+        #[pyo3::pymethods]
+        impl $class {
+            /// The friction of the next solve, as last set, with its ``max_shear_stress``.
+            #[getter]
+            fn friction(&self) -> pyo3::PyResult<crate::friction::Friction> {
+                self.0
+                    .with(|solver| crate::friction::Friction(solver.friction().clone()))
+            }
+
+            /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A
+            /// coefficient alone has none; a warning is issued if the last law had one.
+            fn set_friction(
+                &self,
+                py: pyo3::Python<'_>,
+                friction: crate::friction::AnyFriction<'_>,
+            ) -> pyo3::PyResult<()> {
+                let is_law = friction.is_law();
+                let friction = friction.on(py, self.0.grid())?;
+                let mut last = None;
+                self.0.change(py, |solver| {
+                    last = solver.friction().cap();
+                    solver.set_friction(&friction)
+                })?;
+                crate::friction::warn_of_lost_cap(py, last, is_law)
+            }
+        }
+    };
+}
+
+pub(crate) use frictional;

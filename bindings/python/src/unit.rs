@@ -65,3 +65,18 @@ pub(crate) fn one_of(units: impl IntoIterator<Item = Option<Unit>>) -> PyResult<
     }
     Ok(first)
 }
+
+/// Returns the unit of a gap that replaces another gap, or an error if the units differ. A gap without a unit has the unit of the
+/// last gap.
+pub(crate) fn of_next_gap(last: Option<&Unit>, given: Option<Unit>) -> PyResult<Option<Unit>> {
+    match (last, given) {
+        (Some(last), Some(given)) if !is_same(last, &given) => {
+            let factor = factor(&given, last)?;
+            Err(PyValueError::new_err(format!(
+                "gap has the unit {given}, but the last gap had the unit {last}: \
+                 give Field(grid, {factor:?} * heights, \"{last}\") if the sides of the grid are in {last}"
+            )))
+        }
+        (last, given) => Ok(last.cloned().or(given)),
+    }
+}

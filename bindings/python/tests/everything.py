@@ -298,6 +298,7 @@ class Scene:
             "sdf_to_bytes": {"unit": "m"},
             "sdf_write": {"unit": "m"},
             "sdf_read": {"path": f"{self.folder}/a.sdf"},
+            "vti_write": {"path": f"{self.folder}/fields.vti"},
             "sum": {"fields": [ball, ball]},
             "sur_read": {"path": self.file("a.sur", b"nothing")},
             "x3p_read": {"path": self.file("a.x3p", b"nothing")},

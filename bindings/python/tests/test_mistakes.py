@@ -561,8 +561,10 @@ def test_coefficient_that_replaces_a_capped_law_issues_a_warning(scene):
         ss.rolling.RollingProblem(scene.bodies, normal, capped, creepage_x=1e-4).solver(),
         ss.rolling.CoupledRollingProblem(scene.bodies, scene.ball, capped, normal_force=FORCE, creepage_x=1e-4).solver(),
     ):
+        assert target.friction == capped
         with pytest.warns(ss.ContactWarning, match=message):
             target.set_friction(0.6)
+        assert target.friction == ss.Friction(0.6)
         coefficients = np.full(scene.grid.shape, 0.4)
         coefficients[0, 0] = 0.0
         with warnings.catch_warnings():
@@ -634,6 +636,156 @@ def test_relative_displacement_in_two_units_is_rejected():
     with pytest.raises(ValueError, match="have the units um and mm"):
         ss.tangential.RelativeDisplacement(along["um"], along["mm"])
     ss.tangential.RelativeDisplacement(along["um"], along["um"])
+
+
+def solvers_of(scene, gap):
+    """Returns objects whose gap can be replaced, each with its function that replaces it."""
+    normal = ss.NormalSolver(scene.bodies, gap, force=FORCE)
+    coupled = ss.CoupledProblem(scene.bodies, gap, 0.5, normal_force=FORCE).solver()
+    rolling = ss.rolling.CoupledRollingProblem(scene.bodies, gap, 0.5, normal_force=FORCE, force_x=0.0).solver()
+    unpickled = pickle.loads(pickle.dumps(ss.NormalProblem(scene.bodies, gap, force=FORCE))).solver()
+    solvers = [normal, coupled, rolling, unpickled]
+    history = ss.History(scene.bodies, gap, 0.5)
+    return [(solver, solver.set_gap) for solver in solvers] + [
+        (normal, lambda gap: normal.solve(gap=gap)),
+        (history, history.set_gap),
+    ]
+
+
+def test_new_gap_in_another_unit_is_rejected(scene):
+    in_m = ss.Field(scene.grid, scene.ball, "m")
+    in_um = ss.Field(scene.grid, 1e6 * scene.ball.array, "um")
+    message = r'gap has the unit um, but the last gap had the unit m: give Field\(grid, 1e-6 \* heights, "m"\) if the sides .* in m'
+    for solver, set_gap in solvers_of(scene, in_m):
+        name = "gap_as_set" if isinstance(solver, ss.History) else "gap"
+        before = getattr(solver, name)
+        with pytest.raises(ValueError, match=message):
+            set_gap(in_um)
+        assert np.array_equal(getattr(solver, name), before)
+        # A gap without a unit has the unit of the last gap.
+        set_gap(2.0 * scene.ball.array)
+        with pytest.raises(ValueError, match=message):
+            set_gap(in_um)
+        set_gap(2.0 * in_m)
+    for _, set_gap in solvers_of(scene, scene.ball):
+        set_gap(in_m)  # the first unit
+        with pytest.raises(ValueError, match=message):
+            set_gap(in_um)
+
+
+def test_gap_of_xarray_in_another_unit_is_rejected(scene):
+    xarray = pytest.importorskip("xarray")
+    history = ss.History(scene.bodies, ss.Field(scene.grid, scene.ball, "m"), 0.5)
+    assert history.unit == "m"
+    with pytest.raises(ValueError, match="gap has the unit nm, but the last gap had the unit m"):
+        history.set_gap(xarray.DataArray(1e9 * scene.ball.array, dims=("y", "x"), attrs={"units": "nm"}))
+    assert ss.History.from_state(scene.bodies, history.state()).unit is None
+
+
+def test_history_of_adaptive_contact_has_unit_of_its_gap(scene):
+    gap = ss.Field(scene.grid, scene.ball, "m")
+    region = ss.adaptive.Region.rectangle((-0.14e-3, 0.14e-3), (-0.14e-3, 0.14e-3))
+    step, target = ss.LoadStep(normal_force=FORCE, force_x=20.0), {"stick_ratio": 0.1}
+    options = {"force": FORCE, "friction": 0.5, "first_step": step, "target": target}
+    contact = ss.adaptive.AdaptiveProblem(scene.bodies.pair, gap, region, **options).solve(warn=False)
+    assert contact.history.unit == "m"
+
+
+def test_wear_depth_in_another_unit_is_rejected(scene):
+    in_um = ss.Field(scene.grid, np.ones(scene.grid.shape), "um")
+    in_m = ss.Field(scene.grid, np.ones(scene.grid.shape), "m")
+    with pytest.raises(ValueError, match="have the units m and um"):
+        ss.wear.archard(1e-13, np.ones(scene.grid.shape), in_m, depth=in_um)
+    history = ss.History(scene.bodies, ss.Field(scene.grid, scene.ball, "m"), 0.5)
+    history.step(normal_force=FORCE, warn=False)
+    path = ss.history.LoadPath.triangle((1e-6, 0.0), 4)
+    loop = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=shift))
+    with pytest.raises(ValueError, match="have the units m and um"):
+        ss.wear.run(history, loop, lambda history, cycle: 1e-3 * in_um, 10)
+
+
+@pytest.mark.parametrize("wrong", [-1e-13, np.nan, np.inf])
+def test_wear_laws_reject_wrong_coefficients_at_once(wrong):
+    several = np.full((3, 2), 1e-13)
+    several[1, 1] = wrong
+    for law in (ss.wear.EnergyLaw, ss.wear.ArchardLaw, lambda coefficient: ss.wear.ThresholdEnergyLaw(coefficient, 1e5)):
+        with pytest.raises(ss.errors.NegativeOrNotFinite, match=f"wear coefficient must be non-negative and finite, got {wrong}"):
+            law(wrong)
+        for coefficients in (several, ss.Field(ss.Grid(2, 3, 1.0, 1.0), several), several.ravel()):
+            with pytest.raises(ss.errors.Sample, match="wear coefficient"):
+                law(coefficients)
+        law(np.abs(np.nan_to_num(several, posinf=1.0)))
+    with pytest.raises(ss.errors.NegativeOrNotFinite, match="threshold"):
+        ss.wear.ThresholdEnergyLaw(1e-13, wrong)
+
+
+def test_operands_of_minimise_belong_to_one_grid():
+    grid = ss.Grid(6, 4, 1.0, 1.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
+    operator, dense = bodies.operator("zz"), ss.dense.DenseOperator.of_half_space(bodies, "zz")
+    foreign = ss.Field(ss.Grid(6, 4, 2.0, 2.0), -np.ones(grid.shape))
+    own, turned = ss.Field(grid, -np.ones(grid.shape)), -np.ones((6, 4))
+    for wrong, error in ((foreign, ss.errors.GridMismatch), (turned, ss.errors.Shape)):
+        calls = [
+            lambda: ss.cgm.minimise(operator, wrong),  # noqa: B023
+            lambda: ss.cgm.minimise(operator, own, start=-wrong),  # noqa: B023
+            lambda: ss.cgm.minimise(operator, own, upper=-wrong),  # noqa: B023
+            lambda: ss.cgm.minimise(operator, own, diagonal=-wrong),  # noqa: B023
+            lambda: ss.cgm.minimise(lambda x: x, own, start=-wrong, lower_bound=1.0),  # noqa: B023
+            lambda: dense.minimise(wrong),  # noqa: B023
+            lambda: dense.minimise(own, lower=wrong),  # noqa: B023
+            lambda: operator(wrong),  # noqa: B023
+        ]
+        for call in calls:
+            with pytest.raises(error):
+                call()
+    others = ss.HalfSpace(foreign.grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
+    with pytest.raises(ss.errors.GridMismatch, match="preconditioner"):
+        ss.cgm.minimise(operator, own, preconditioner=others.preconditioner("zz"))
+    expected = ss.cgm.minimise(operator, own).x
+    for equal in (own.array, own.array.ravel(), own.array.reshape(-1, 1)):
+        assert np.array_equal(ss.cgm.minimise(operator, equal).x, expected)
+
+
+def test_extensions_that_paraview_does_not_recognise_are_rejected(scene, tmp_path):
+    fields = {"gap": scene.ball}
+    for name in ("a.vtk", "a", "a.vti.txt"):
+        with pytest.raises(ss.errors.ArgumentRange, match=r'path must end in \.vti, .*, got ".*": give ".*a.*\.vti"') as caught:
+            ss.io.vti.write(tmp_path / name, fields)
+        assert caught.value.argument == "path"
+        with pytest.raises(ss.errors.ArgumentRange, match=r"path must end in \.pvd"):
+            ss.io.pvd.PvdWriter(tmp_path / name)
+    assert not list(tmp_path.iterdir())
+    ss.io.vti.write(tmp_path / "A.VTI", fields)
+
+
+def test_operations_on_fields_warn_of_results_that_are_not_finite_as_numpy_does():
+    grid = ss.Grid(2, 2, 1.0, 1.0)
+    values = np.array([[-1.0, 0.0], [4.0, np.nan]])
+    field = ss.Field(grid, values)
+    calls = [
+        lambda operand: operand / 0.0,
+        lambda operand: 1.0 / operand,
+        lambda operand: operand / operand,
+        lambda operand: operand**0.3,
+        lambda operand: operand**-1.5,
+        lambda operand: 1e308 * operand,
+        lambda operand: 1e308**operand,
+        lambda operand: operand + np.inf,
+        lambda operand: operand / 2.0 - 1.0,
+    ]
+    for call in calls:
+        found = []
+        for operand in (values, field):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                result = call(operand)
+            found.append((sorted(str(warning.message) for warning in caught), np.asarray(result)))
+            assert all(warning.filename == __file__ for warning in caught)
+        assert found[0][0] == found[1][0]
+        assert np.array_equal(found[0][1], found[1][1], equal_nan=True)
+    with np.errstate(divide="raise"), pytest.raises(FloatingPointError, match="divide by zero"):
+        field / 0.0
 
 
 def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):

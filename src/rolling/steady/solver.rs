@@ -295,6 +295,12 @@ impl RollingSolver {
         Ok(())
     }
 
+    /// Returns the friction of the next solve, with its cap: the last friction that was given or [set](Self::set_friction).
+    #[must_use]
+    pub fn friction(&self) -> &Friction {
+        &self.problem.friction
+    }
+
     /// Sets the friction of the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors

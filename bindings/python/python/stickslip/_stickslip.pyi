@@ -1507,6 +1507,11 @@ class CoupledRollingSolver:
     def __new__(cls, /, *_arguments: Any, **_options: Any) -> CoupledRollingSolver: ...
     def __repr__(self, /) -> str: ...
     @property
+    def friction(self, /) -> Friction:
+        """
+        The friction of the next solve, as last set, with its ``max_shear_stress``.
+        """
+    @property
     def gap(self, /) -> NDArray[float64]:
         """
         The gap before loading of the next solve (lengths), as last set; a read-only copy.
@@ -1522,12 +1527,17 @@ class CoupledRollingSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-        alone has none; a warning is issued if the last law had one.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A
+        coefficient alone has none; a warning is issued if the last law had one.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
         Sets the gap of the next solve (lengths).
+
+        Raises
+        ------
+        ValueError
+            If the unit of the gap differs from that of the earlier gaps.
         """
     def set_normal_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
@@ -1645,6 +1655,11 @@ class CoupledSolver:
     def __new__(cls, /, *_arguments: Any, **_options: Any) -> CoupledSolver: ...
     def __repr__(self, /) -> str: ...
     @property
+    def friction(self, /) -> Friction:
+        """
+        The friction of the next solve, as last set, with its ``max_shear_stress``.
+        """
+    @property
     def gap(self, /) -> NDArray[float64]:
         """
         The gap before loading of the next solve (lengths), as last set; a read-only copy.
@@ -1700,12 +1715,17 @@ class CoupledSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-        alone has none; a warning is issued if the last law had one.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A
+        coefficient alone has none; a warning is issued if the last law had one.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
         Sets the gap of the next solve (lengths).
+
+        Raises
+        ------
+        ValueError
+            If the unit of the gap differs from that of the earlier gaps.
         """
     def set_loads(self, /, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
@@ -2076,6 +2096,8 @@ class DenseOperator(LinearOperator):
         Raises
         ------
         Sample, Bounds, Total, NotPositiveDefinite, NotConverged
+        GridMismatch, Shape
+            See :func:`stickslip.cgm.minimise`.
         """
     @staticmethod
     def of_half_space(bodies: HalfSpace, component: Component | str) -> DenseOperator:
@@ -2343,9 +2365,10 @@ class Field:
     Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
     and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
     ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
-    either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
-    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
-    its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
+    either order, is computed cell by cell and is a field. A quotient by zero, and any other result that is not finite, issues the
+    warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans. Two fields are compared as a whole by
+    ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
+    different units raise an error. The axes of an array of xarray with the
     dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
     steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
     either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
@@ -2367,14 +2390,16 @@ class Field:
     -----
     A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
     A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
-    does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+    does. Products and ratios of two fields with units, inverse fields and powers have no unit. A gap that replaces the gap of
+    a solver or history has the unit of that gap, and raises an error if it states another unit.
 
     Bodies, loads and grids have no unit. A gap is therefore used as given: its lengths must have the unit of the sides of the
     grid, and moduli and forces a consistent unit. ``Field(grid, heights, "um")`` states that heights and cell sides are both in
     micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
     An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
     coordinates without this attribute have the unit of the array.
-    In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error.
+    In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error. The
+    reverse order of a ``Variable`` of xarray raises none and ignores the names of its axes.
 
     Raises
     ------
@@ -3431,6 +3456,12 @@ class History:
         Creates a history that continues from a state, on the bodies of that state.
         """
     @property
+    def unit(self, /) -> str | None:
+        """
+        Unit of the lengths of the gap, if one of the gaps stated it. Later gaps must have the same unit or none. A history that was
+        restored from a state, a file or a pickle has no unit.
+        """
+    @property
     def unloaded_gap(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set, plus the yielded depth; a read-only copy.
@@ -3584,6 +3615,12 @@ class History:
 
         The gap is given without the yielded depth, which the history adds. To change the present gap, start from
         :attr:`gap_as_set`. With a permanent set, a gap that contains the yielded depth would add it twice.
+
+        Raises
+        ------
+        GridMismatch, Shape, Sample
+        ValueError
+            If the unit of the gap differs from :attr:`unit`; the gap is then unchanged.
 
         Examples
         --------
@@ -5207,6 +5244,11 @@ class NormalSolver:
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
         Sets the gap of the next solve, for example after wear.
+
+        Raises
+        ------
+        ValueError
+            If the unit of the gap differs from that of the earlier gaps.
         """
     def set_load(self, /, *, force: float | None = None, approach: float | None = None) -> None:
         """
@@ -5231,7 +5273,7 @@ class NormalSolver:
         force, approach : float, optional
             At most one of the two; see :class:`NormalProblem`.
         gap : Field or array_like of shape (ny, nx), optional
-            The gap before loading (lengths); copied.
+            The gap before loading (lengths); copied. Its unit, if any, must be that of the earlier gaps.
         progress, warn : optional
             See :meth:`NormalProblem.solve`.
 
@@ -5243,6 +5285,8 @@ class NormalSolver:
         ------
         GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
             If the load or the gap is invalid; both are then unchanged.
+        ValueError
+            If the unit of the gap differs from that of the earlier gaps; load and gap are then unchanged.
         NotConverged
             The exception has the attributes ``report`` and ``last_iterate``.
         """
@@ -6197,6 +6241,11 @@ class RollingSolver:
             At the first point that fails or is cancelled, which remains prescribed.
         """
     @property
+    def friction(self, /) -> Friction:
+        """
+        The friction of the next solve, as last set, with its ``max_shear_stress``.
+        """
+    @property
     def friction_capacity(self, /) -> float:
         """
         Largest tangential force that friction can carry: the integral of the friction limit.
@@ -6212,8 +6261,8 @@ class RollingSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-        alone has none; a warning is issued if the last law had one.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A
+        coefficient alone has none; a warning is issued if the last law had one.
         """
     def set_normal_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
@@ -6522,8 +6571,13 @@ class PvdWriter:
     Parameters
     ----------
     path : path_like
-        The PVD file; the images are written to the same folder. Both are complete after each call of :meth:`write`, so that the
-        writer needs no ``with`` and no ``close``.
+        The PVD file, whose name ends in ``.pvd``. The images are written to the same folder. Both are complete after each call of
+        :meth:`write`, so that the writer needs no ``with`` and no ``close``.
+
+    Raises
+    ------
+    ArgumentRange
+        If the path does not end in ``.pvd``.
     """
     def __len__(self, /) -> int: ...
     def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
@@ -7651,6 +7705,11 @@ class TangentialSolver:
     def __new__(cls, /, *_arguments: Any, **_options: Any) -> TangentialSolver: ...
     def __repr__(self, /) -> str: ...
     @property
+    def friction(self, /) -> Friction:
+        """
+        The friction of the next solve, as last set, with its ``max_shear_stress``.
+        """
+    @property
     def friction_capacity(self, /) -> float:
         """
         Largest tangential force that friction can carry: the integral of the friction limit.
@@ -7706,8 +7765,8 @@ class TangentialSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-        alone has none; a warning is issued if the last law had one.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A
+        coefficient alone has none; a warning is issued if the last law had one.
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
@@ -8218,6 +8277,8 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
     NegativeOrNotFinite, Sample, GridMismatch, NotFinite
     Shape
         If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+    ValueError
+        If the units of the slip and of the earlier depth differ.
     """
 
 def asc_parse(bytes: bytes) -> Field:
@@ -8548,7 +8609,7 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
     operator : LinearOperator or callable
         The symmetric operator C; a callable receives an array of the unknowns and returns its product with C.
     linear : array_like
-        The linear term, one number per unknown.
+        The linear term, one number per unknown: a flat array, or a Field or an array of shape (ny, nx) on the grid of the operator.
     lower, upper : float or array_like, optional
         Bounds of the unknowns; zero and infinity by default.
     total : float, optional
@@ -8578,6 +8639,10 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
     Raises
     ------
     Length, Sample, Bounds, Total, Method, Tolerance, IterationLimit, NotConverged
+    GridMismatch
+        If a field or the preconditioner is on a grid that differs from that of the operator, or if the grids of two fields differ.
+    Shape
+        If the shape of an array is not that of this grid, for example because the array is transposed.
 
     Examples
     --------
@@ -8845,13 +8910,18 @@ def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = Non
     Parameters
     ----------
     path : path_like
-        The file; an existing file is replaced.
+        The file, whose name ends in ``.vti``; an existing file is replaced.
     fields : dict, solution, State, History, Field or surface
         Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
         load, and ``unloaded_gap`` the gap before loading. ``zones`` contains the numbers 0 separated, 1 stick and 2 slip,
         because a VTI file stores no names.
     grid : Grid, optional
         Grid of the fields of a dictionary; required if they are arrays.
+
+    Raises
+    ------
+    ArgumentRange
+        If the path does not end in ``.vti``. :func:`to_bytes` returns the content for other paths.
     """
 
 def x3p_parse(bytes: bytes) -> Field:

@@ -10,7 +10,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._stickslip import Cycle, CycleJump, Field, History, archard, energy, max_stable_cycles, threshold_energy
+from ._stickslip import Cycle, CycleJump, Field, Grid, History, archard, energy, max_stable_cycles, threshold_energy
 from .errors import NoWholeCycle, Shape
 
 
@@ -20,7 +20,10 @@ class EnergyLaw:
 
     coefficient: ArrayLike
     """Volume removed per dissipated energy, a number or an array of shape (ny, nx). The unit is one over a pressure: 1/Pa in SI
-    units, and 1 mm3/J is 1e-9 1/Pa."""
+    units, and 1 mm3/J is 1e-9 1/Pa. A negative coefficient raises ``NegativeOrNotFinite``, or ``Sample`` in an array."""
+
+    def __post_init__(self) -> None:
+        _check_numbers(self.coefficient)
 
     def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
         return energy(self.coefficient, cycle.dissipation, grid=history.grid)
@@ -32,7 +35,11 @@ class ArchardLaw:
 
     coefficient: ArrayLike
     """Volume removed per normal force and slip distance, a number or an array of shape (ny, nx). The unit is one over a pressure:
-    1/Pa in SI units, and 1 mm3/(N m) is 1e-9 1/Pa."""
+    1/Pa in SI units, and 1 mm3/(N m) is 1e-9 1/Pa. A negative coefficient raises ``NegativeOrNotFinite``, or ``Sample`` in an
+    array."""
+
+    def __post_init__(self) -> None:
+        _check_numbers(self.coefficient)
 
     def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
         return archard(self.coefficient, cycle.slip_pressure, cycle.slip_distance, grid=history.grid)
@@ -95,6 +102,9 @@ class ThresholdEnergyLaw:
     shape (ny, nx)."""
     threshold: float
     """Energy per area up to which a cell does not wear (J/m2 in SI units), not negative."""
+
+    def __post_init__(self) -> None:
+        _check_numbers(self.coefficient, self.threshold)
 
     def depth_of_jump(self, history: History, cycle: Cycle, dissipation: NDArray[Any], cycles: int) -> NDArray[Any]:
         of_jump = cycles * cycle.dissipation
@@ -193,11 +203,22 @@ def _last(is_valid: Callable[[int], bool], first: int, end: int) -> int:
     return first
 
 
+def _check_numbers(coefficient: ArrayLike, threshold: float = 0.0) -> None:
+    """Raises the error of the laws for a coefficient or a threshold that is negative or not finite."""
+    # The labels and the shape of an array are checked with the grid of the history, in the run.
+    numbers = np.asanyarray(coefficient)
+    shape = numbers.shape if numbers.ndim == 2 else (max(numbers.size, 1), 1)
+    if shape[0] * shape[1] > 0:
+        zeros = np.zeros(shape)
+        given = numbers.reshape(shape) if numbers.ndim else coefficient
+        threshold_energy(given, threshold, zeros, zeros, grid=Grid(shape[1], shape[0], 1.0, 1.0))
+
+
 def _checked(given: ArrayLike, history: History) -> NDArray[Any]:
     """Returns the depth that a wear law returned, an array of the shape of the grid."""
-    # A field reads the axes of labelled arrays, and rejects a field on a different grid.
+    # A field reads the axes of labelled arrays, and rejects a field on a different grid or in another unit than the gap.
     is_labelled = hasattr(given, "dims") or hasattr(given, "columns") or isinstance(given, Field)
-    depth = np.asarray(Field(history.grid, given) if is_labelled else given, dtype=float)
+    depth = np.asarray(Field(history.grid, given, history.unit) if is_labelled else given, dtype=float)
     shape = history.grid.shape
     if depth.shape != shape:
         found = f"an array of shape {depth.shape}"

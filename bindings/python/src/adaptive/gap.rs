@@ -20,6 +20,7 @@ use crate::error::{OrRaise, named};
 use crate::field::Field;
 use crate::function::raise;
 use crate::real::{filled, is_real};
+use crate::unit::Unit;
 use crate::work::Observer;
 
 /// Largest number of positions in a call of a Python function, which bounds the memory of its arrays.
@@ -51,6 +52,16 @@ impl<'py> FromPyObject<'_, 'py> for GapArgument<'py> {
             "gap must be a function gap(x, y) or a Field, got {}: create a Field from an array by Field(grid, array)",
             kind_of(&object)
         )))
+    }
+}
+
+impl GapArgument<'_> {
+    /// Returns the unit of the lengths of samples, if they state one.
+    pub(super) fn unit(&self) -> Option<Unit> {
+        match self {
+            Self::Function(_) => None,
+            Self::Samples(field) => field.1.clone(),
+        }
     }
 }
 

@@ -25,6 +25,7 @@ use crate::progress::Progress;
 use crate::real::{Count, Real};
 use crate::report::warn;
 use crate::settings::duration;
+use crate::unit::Unit;
 use crate::work::solve_in_stages;
 
 /// Bodies, gap, load and required accuracy of a contact, whose grid the solve chooses.
@@ -98,6 +99,8 @@ pub(crate) struct AdaptiveProblem {
 struct Input {
     bodies: stickslip::Kernel,
     gap: Gap,
+    /// Unit of the gap.
+    unit: Option<Unit>,
     load: NormalLoad,
     region: stickslip::adaptive::Region,
     shear: Option<(stickslip::Friction, Shear)>,
@@ -201,7 +204,7 @@ impl AdaptiveProblem {
         let time_limit = time_limit
             .map(|Real(seconds)| duration(seconds))
             .transpose()?;
-        let own_gap = Gap::new(py, &gap, interpolation)?;
+        let (own_gap, unit) = (Gap::new(py, &gap, interpolation)?, gap.unit());
         let recipe = Recipe::new(
             py,
             (object_of(py, &pair.0)?, object_of_gap(py, gap)?, region),
@@ -219,6 +222,7 @@ impl AdaptiveProblem {
         let input = Input {
             bodies: pair.0,
             gap: own_gap,
+            unit,
             load: normal,
             region: region.get().or_raise(py)?,
             shear: shear(friction, tangential, first_step)?,
@@ -306,7 +310,11 @@ impl AdaptiveProblem {
         };
         let warnings = solution.warnings().or_raise(py)?;
         self::warn(py, warn, || warnings)?;
-        Ok(AdaptiveSolution::new(solution, input.targets.clone()))
+        Ok(AdaptiveSolution::new(
+            solution,
+            input.targets.clone(),
+            input.unit.clone(),
+        ))
     }
 
     fn __getnewargs_ex__<'py>(

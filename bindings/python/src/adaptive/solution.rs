@@ -20,6 +20,7 @@ use crate::normal::NormalSolution;
 use crate::report::Warning;
 use crate::sequence::pair;
 use crate::tangential::TangentialSolution;
+use crate::unit::Unit;
 use crate::work::{Stage, unobserved_on};
 
 /// Returns the estimated errors by quantity.
@@ -87,15 +88,22 @@ impl Stage for stickslip::adaptive::GridRecord {
 pub(crate) struct AdaptiveSolution {
     solution: Arc<Solution>,
     targets: Vec<(Quantity, f64)>,
+    /// Unit of the gap.
+    unit: Option<Unit>,
     tangential: PyOnceLock<Option<Py<TangentialSolution>>>,
     history: PyOnceLock<Option<Py<History>>>,
 }
 
 impl AdaptiveSolution {
-    pub(super) fn new(solution: Solution, targets: Vec<(Quantity, f64)>) -> Self {
+    pub(super) fn new(
+        solution: Solution,
+        targets: Vec<(Quantity, f64)>,
+        unit: Option<Unit>,
+    ) -> Self {
         Self {
             solution: Arc::new(solution),
             targets,
+            unit,
             tangential: PyOnceLock::new(),
             history: PyOnceLock::new(),
         }
@@ -178,7 +186,7 @@ impl AdaptiveSolution {
                 return Ok::<_, PyErr>(None);
             };
             let history = history.try_clone().or_raise(py)?;
-            Py::new(py, History::of(history, &self.bodies())).map(Some)
+            Py::new(py, History::of(history, &self.bodies(), self.unit.clone())).map(Some)
         })?;
         Ok(made.as_ref().map(|made| made.clone_ref(py)))
     }

@@ -9,3 +9,4 @@ pub(crate) use problem::CoupledProblem;
 pub(crate) use report::{CoupledReport, ErrorEstimate};
 pub(crate) use solution::CoupledSolution;
 pub(crate) use solver::CoupledSolver;
+use solver::Loads;

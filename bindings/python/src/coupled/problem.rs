@@ -1,7 +1,5 @@
 //! Coupled contact problems.
 
-use std::sync::Arc;
-
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::cgm;
@@ -9,7 +7,7 @@ use stickslip::cgm;
 use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
-use crate::coupled::{CoupledSolution, CoupledSolver};
+use crate::coupled::{CoupledSolution, CoupledSolver, Loads};
 use crate::field::{Field, Samples};
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
@@ -21,6 +19,7 @@ use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
+use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// Bodies, gap, friction and loads of a contact whose pressure and tractions are solved simultaneously, from rest in one
@@ -71,7 +70,9 @@ pub(crate) struct CoupledProblem(
     stickslip::CoupledProblem,
     stickslip::Grid,
     Recipe,
-    (stickslip::NormalLoad, stickslip::TangentialLoad),
+    Loads,
+    /// Unit of the gap.
+    Option<Unit>,
 );
 
 #[pymethods]
@@ -121,7 +122,7 @@ impl CoupledProblem {
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let bodies_and_surfaces = (
             bodies.clone(),
-            Field::from(Arc::clone(&gap)),
+            gap.clone(),
             Friction(friction.clone()),
             TangentialLoad(load),
         );
@@ -130,6 +131,7 @@ impl CoupledProblem {
             .with(py, "relative_displacement", relative_displacement.clone())?
             .with(py, "hardness", hardness.clone().map(Hardness))?
             .with(py, "settings", Some(Settings(settings)))?;
+        let Field(gap, unit) = gap;
         let built = unobserved_on(py, grid, || {
             let mut builder =
                 stickslip::CoupledProblem::builder(&bodies.0, gap, friction, normal, load)
@@ -142,7 +144,7 @@ impl CoupledProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe, (normal, load)))
+        Ok(Self(built, grid, recipe, (normal, load), unit))
     }
 
     /// Solves from rest; see :meth:`NormalProblem.solve`. A force that makes the contact slide raises
@@ -161,7 +163,7 @@ impl CoupledProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
         let solver = || self.0.clone().into_solver();
-        CoupledSolver::of(py, self.1, self.2.cap(py)?, self.3, solver)
+        CoupledSolver::of(py, self.1, self.3, self.4.clone(), solver)
     }
 
     fn __getnewargs_ex__<'py>(

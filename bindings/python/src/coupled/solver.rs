@@ -8,36 +8,43 @@ use pyo3::prelude::*;
 use crate::array::{Array, snapshot};
 use crate::coupled::CoupledSolution;
 use crate::error::OrRaise;
-use crate::field::Samples;
-use crate::friction::AnyFriction;
+use crate::field::{Field, Samples};
 use crate::load::{self, TangentialArgument};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
 use crate::solution_pool::lock;
-use crate::solver::{Reused, created_by, solver};
+use crate::solver::{Reused, created_by, frictional, solver};
+use crate::unit::Unit;
 
 /// Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct CoupledSolver(Reused<stickslip::CoupledSolver>, Mutex<Loads>);
+pub(crate) struct CoupledSolver(
+    Reused<stickslip::CoupledSolver>,
+    Mutex<Loads>,
+    /// Unit of the gap.
+    Mutex<Option<Unit>>,
+);
 
 /// Normal and tangential load of the next solve.
-type Loads = (stickslip::NormalLoad, stickslip::TangentialLoad);
+pub(super) type Loads = (stickslip::NormalLoad, stickslip::TangentialLoad);
 
 impl CoupledSolver {
     pub(super) fn of(
         py: Python<'_>,
         grid: stickslip::Grid,
-        cap: Option<f64>,
         loads: Loads,
+        unit: Option<Unit>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::CoupledSolver> + Send,
     ) -> PyResult<Self> {
-        Reused::new(py, grid, cap, solver).map(|solver| Self(solver, Mutex::new(loads)))
+        let solver = Reused::new(py, grid, solver)?;
+        Ok(Self(solver, Mutex::new(loads), Mutex::new(unit)))
     }
 }
 
 created_by! { CoupledSolver: "CoupledProblem(bodies, gap, friction, normal_force=..., force_x=...)" }
 solver!(CoupledSolver: CoupledSolution);
 sensitive!(CoupledSolver: CoupledSolution);
+frictional!(CoupledSolver);
 
 #[pymethods]
 impl CoupledSolver {
@@ -88,16 +95,16 @@ impl CoupledSolver {
     }
 
     /// Sets the gap of the next solve (lengths).
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     If the unit of the gap differs from that of the earlier gaps.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.per_cell(py, "gap", self.0.grid())?;
-        self.0.change(py, |solver| solver.set_gap(&gap))
-    }
-
-    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-    /// alone has none; a warning is issued if the last law had one.
-    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let set =
-            |solver: &mut stickslip::CoupledSolver, friction: &_| solver.set_friction(friction);
-        self.0.set_friction(py, friction, set)
+        let mut last = lock(&self.2, "solver")?;
+        let Field(gap, unit) = gap.next_gap(py, self.0.grid(), last.as_ref())?;
+        self.0.change(py, |solver| solver.set_gap(&gap))?;
+        *last = unit;
+        Ok(())
     }
 }

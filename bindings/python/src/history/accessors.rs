@@ -50,6 +50,14 @@ impl History {
         self.read(|history| history.axis().map(Choice))
     }
 
+    /// Unit of the lengths of the gap, if one of the gaps stated it. Later gaps must have the same unit or none. A history that was
+    /// restored from a state, a file or a pickle has no unit.
+    #[getter]
+    fn unit(&self) -> PyResult<Option<String>> {
+        let unit = lock(&self.work, NAME)?.unit.clone();
+        Ok(unit.map(|unit| unit.to_string()))
+    }
+
     /// The friction of later steps.
     #[getter]
     fn friction(&self) -> PyResult<Friction> {

@@ -9,7 +9,7 @@ use stickslip::{Axis, Coupling, TangentialModel, cgm};
 
 use crate::argument::Object;
 use crate::choice::Choice;
-use crate::field::Samples;
+use crate::field::{Field, Samples};
 use crate::friction::{AnyFriction, warn_of_lost_cap};
 use crate::half_space::HalfSpace;
 use crate::history::step::Numbers;
@@ -18,6 +18,7 @@ use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solution_pool::lock;
 use crate::tangential::RelativeDisplacement;
+use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// Two bodies in contact with memory of their load: pressure, traction, slip and energy, step by step.
@@ -84,6 +85,8 @@ pub(crate) struct Work {
     pub(crate) history: stickslip::History,
     /// Counter of the changes of the last step.
     pub(crate) taken: u64,
+    /// Unit of the gap.
+    pub(super) unit: Option<Unit>,
 }
 
 impl Work {
@@ -106,9 +109,15 @@ impl Work {
 pub(crate) const NAME: &str = "history";
 
 impl History {
-    pub(crate) fn of(history: stickslip::History, bodies: &HalfSpace) -> Self {
+    /// Wraps a history, with the unit of its gap.
+    pub(crate) fn of(history: stickslip::History, bodies: &HalfSpace, unit: Option<Unit>) -> Self {
+        let taken = 0;
         Self {
-            work: Mutex::new(Work { history, taken: 0 }),
+            work: Mutex::new(Work {
+                history,
+                taken,
+                unit,
+            }),
             bodies: bodies.clone(),
         }
     }
@@ -181,6 +190,7 @@ impl History {
         let gap = gap.gap_before_friction(py, grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
+        let Field(gap, unit) = gap;
         let history = unobserved_on(py, grid, || {
             let builder = stickslip::History::builder(&bodies.0, gap, friction);
             let mut builder = builder.settings(settings).permanent_set(permanent_set);
@@ -204,13 +214,19 @@ impl History {
             }
             builder.build()
         })?;
-        Ok(Self::of(history, &bodies))
+        Ok(Self::of(history, &bodies, unit))
     }
 
     /// Sets the gap of later steps (lengths), for example after wear.
     ///
     /// The gap is given without the yielded depth, which the history adds. To change the present gap, start from
     /// :attr:`gap_as_set`. With a permanent set, a gap that contains the yielded depth would add it twice.
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch, Shape, Sample
+    /// ValueError
+    ///     If the unit of the gap differs from :attr:`unit`; the gap is then unchanged.
     ///
     /// Examples
     /// --------
@@ -224,8 +240,12 @@ impl History {
     /// >>> history.set_gap(history.gap_as_set + depth)
     /// >>> step = history.step(normal_force=100.0)
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.per_cell(py, "gap", self.grid())?;
-        self.change(py, |history| history.set_gap(&gap))
+        let mut work = lock(&self.work, NAME)?;
+        let Field(gap, unit) = gap.next_gap(py, self.grid(), work.unit.as_ref())?;
+        let history = &mut work.history;
+        unobserved_on(py, self.grid(), || history.set_gap(&gap))?;
+        work.unit = unit;
+        Ok(())
     }
 
     /// Sets the friction of later steps. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient

@@ -45,7 +45,7 @@ impl History {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_state(&bodies.0, (*state.0).clone())
         })?;
-        Ok(Self::of(history, &bodies))
+        Ok(Self::of(history, &bodies, None))
     }
 
     /// Returns the state as bytes, with all data that the next step needs except the bodies.
@@ -61,7 +61,7 @@ impl History {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_bytes(&bodies.0, bytes)
         })?;
-        Ok(Self::of(history, &bodies))
+        Ok(Self::of(history, &bodies, None))
     }
 
     /// Saves the state to a file. An existing file is replaced completely or not at all.
@@ -79,7 +79,7 @@ impl History {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::load(&bodies.0, &path)
         })?;
-        Ok(Self::of(history, &bodies))
+        Ok(Self::of(history, &bodies, None))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Standalone<'py, Saved<'py>>> {

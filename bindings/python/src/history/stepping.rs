@@ -82,7 +82,7 @@ impl History {
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;
-        let Work { history, taken } = &mut *work;
+        let Work { history, taken, .. } = &mut *work;
         let outcome = solve(py, own.cells(), progress, |observer| {
             let seen = |iteration: &_| observer(Some(iteration));
             history.step_observed(&load, seen)?;
@@ -254,7 +254,7 @@ impl History {
         let mut contacts: Vec<_> = contacts.zip(&loads).enumerate().collect();
         let failed = solve(py, cells, Progress::none(), |observer| {
             let observer = Mutex::new(observer);
-            let step = |(index, (Work { history, taken }, load)): &mut (
+            let step = |(index, (Work { history, taken, .. }, load)): &mut (
                 usize,
                 (&mut Work, &stickslip::LoadStep),
             )| {

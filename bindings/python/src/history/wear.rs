@@ -16,6 +16,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
 use crate::real::Real;
+use crate::unit::one_of;
 use crate::work::unobserved_on;
 
 /// Returns a wear coefficient in the form required by the crate.
@@ -83,6 +84,8 @@ fn of_any_cells(
 /// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
 /// Shape
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+/// ValueError
+///     If the units of the slip and of the earlier depth differ.
 #[pyfunction]
 #[pyo3(signature = (coefficient, pressure, slip_distance, *, depth=None, grid=None))]
 pub(crate) fn archard<'py>(
@@ -98,6 +101,8 @@ pub(crate) fn archard<'py>(
         grid.as_deref(),
         &[&pressure, &slip_distance, &coefficient],
     )?;
+    let earlier = depth.as_ref().map(Samples::unit).transpose()?;
+    one_of([slip_distance.unit()?, earlier.flatten()])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let pressure = pressure.of_each_cell(py, "pressure", grid, PRESSURE_OF_CELLS)?;

@@ -57,7 +57,7 @@ use crate::work::unobserved_on;
 pub(crate) struct NormalProblem {
     problem: stickslip::NormalProblem,
     load: NormalLoad,
-    gap: Arc<stickslip::Field>,
+    gap: Field,
     recipe: Recipe,
 }
 
@@ -85,15 +85,15 @@ impl NormalProblem {
         load::by_keyword("NormalProblem", positional, "force= or approach=")?;
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();
-        let gap = gap.per_cell(py, "gap", grid)?;
+        let gap = gap.gap(py, grid)?;
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
-        let recipe = Recipe::new(py, (bodies.clone(), Field::from(Arc::clone(&gap))))?
+        let recipe = Recipe::new(py, (bodies.clone(), gap.clone()))?
             .with_normal(py, load, "force")?
             .with(py, "hardness", hardness.clone().map(Hardness))?
             .with(py, "settings", Some(Settings(settings)))?;
         let problem = unobserved_on(py, grid, || {
-            let gap = Arc::clone(&gap);
+            let gap = Arc::clone(&gap.0);
             let builder = stickslip::NormalProblem::builder(&bodies.0, gap, load);
             let builder = builder.settings(settings);
             match hardness {
@@ -136,13 +136,13 @@ impl NormalProblem {
         warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let solver = || self.problem.clone().into_solver();
-        solve_once(py, self.gap.grid().cells(), solver, progress, warn)
+        solve_once(py, self.gap.0.grid().cells(), solver, progress, warn)
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     pub(super) fn solver(&self, py: Python<'_>) -> PyResult<NormalSolver> {
         let solver = || self.problem.clone().into_solver();
-        NormalSolver::of(py, solver, self.load, Arc::clone(&self.gap))
+        NormalSolver::of(py, solver, self.load, self.gap.clone())
     }
 
     fn __getnewargs_ex__<'py>(
@@ -153,6 +153,6 @@ impl NormalProblem {
     }
 
     fn __repr__(&self) -> String {
-        format!("NormalProblem({})", size(self.gap.grid()))
+        format!("NormalProblem({})", size(self.gap.0.grid()))
     }
 }

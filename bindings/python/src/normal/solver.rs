@@ -1,6 +1,6 @@
 //! Reusable solvers of normal contacts.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -9,7 +9,7 @@ use stickslip::{NormalLoad, cgm};
 use crate::argument::Object;
 use crate::array::{Array, snapshot};
 use crate::choice::Choice;
-use crate::field::Samples;
+use crate::field::{Field, Samples};
 use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
@@ -39,16 +39,23 @@ pub(crate) struct NormalSolver(Reused<stickslip::NormalSolver>, Mutex<SolverArgu
 /// Load and gap of the problem to be solved.
 struct SolverArguments {
     load: NormalLoad,
-    gap: Arc<stickslip::Field>,
+    gap: Field,
 }
 
 impl SolverArguments {
+    /// Returns the gap that replaces the gap of these arguments.
+    fn next_gap(&self, py: Python<'_>, gap: Option<Samples<'_>>) -> PyResult<Option<Field>> {
+        let Field(last, unit) = &self.gap;
+        gap.map(|gap| gap.next_gap(py, last.grid(), unit.as_ref()))
+            .transpose()
+    }
+
     /// Sets the load, the gap or both; if one is rejected, both remain unchanged.
     fn set(
         &mut self,
         solver: &mut stickslip::NormalSolver,
         load: Option<NormalLoad>,
-        gap: Option<Arc<stickslip::Field>>,
+        gap: Option<Field>,
     ) -> stickslip::Result<()> {
         match (load, gap) {
             (None, None) => {}
@@ -57,7 +64,7 @@ impl SolverArguments {
                 self.load = load;
             }
             (None, Some(gap)) => {
-                solver.set_gap(&gap)?;
+                solver.set_gap(&gap.0)?;
                 self.gap = gap;
             }
             (Some(load), Some(gap)) => {
@@ -76,7 +83,7 @@ impl SolverArguments {
     /// data. A zero force is valid with any gap.
     fn set_both(&self, solver: &mut stickslip::NormalSolver) -> stickslip::Result<()> {
         solver.set_load(NormalLoad::Force(0.0))?;
-        solver.set_gap(&self.gap)?;
+        solver.set_gap(&self.gap.0)?;
         solver.set_load(self.load)
     }
 }
@@ -86,9 +93,9 @@ impl NormalSolver {
         py: Python<'_>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::NormalSolver> + Send,
         load: NormalLoad,
-        gap: Arc<stickslip::Field>,
+        gap: Field,
     ) -> PyResult<Self> {
-        let solver = Reused::new(py, gap.grid(), None, solver)?;
+        let solver = Reused::new(py, gap.0.grid(), solver)?;
         Ok(Self(solver, Mutex::new(SolverArguments { load, gap })))
     }
 
@@ -97,24 +104,15 @@ impl NormalSolver {
         self.0.with(|solver| solver.clone())
     }
 
-    fn gap_argument(
-        &self,
-        py: Python<'_>,
-        gap: Option<Samples<'_>>,
-    ) -> PyResult<Option<Arc<stickslip::Field>>> {
-        gap.map(|gap| gap.per_cell(py, "gap", self.0.grid()))
-            .transpose()
-    }
-
     fn change(
         &self,
         py: Python<'_>,
         load: Option<NormalLoad>,
         gap: Option<Samples<'_>>,
     ) -> PyResult<()> {
-        let gap = self.gap_argument(py, gap)?;
         let mut given = lock(&self.1, "solver")?;
         let given = &mut *given;
+        let gap = given.next_gap(py, gap)?;
         self.0.change(py, |solver| given.set(solver, load, gap))
     }
 }
@@ -171,7 +169,7 @@ impl NormalSolver {
     /// force, approach : float, optional
     ///     At most one of the two; see :class:`NormalProblem`.
     /// gap : Field or array_like of shape (ny, nx), optional
-    ///     The gap before loading (lengths); copied.
+    ///     The gap before loading (lengths); copied. Its unit, if any, must be that of the earlier gaps.
     /// progress, warn : optional
     ///     See :meth:`NormalProblem.solve`.
     ///
@@ -183,6 +181,8 @@ impl NormalSolver {
     /// ------
     /// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
     ///     If the load or the gap is invalid; both are then unchanged.
+    /// ValueError
+    ///     If the unit of the gap differs from that of the earlier gaps; load and gap are then unchanged.
     /// NotConverged
     ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=true))]
@@ -196,9 +196,9 @@ impl NormalSolver {
         warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let load = load::normal(force, approach)?;
-        let gap = self.gap_argument(py, gap)?;
         let mut given = lock(&self.1, "solver")?;
         let given = &mut *given;
+        let gap = given.next_gap(py, gap)?;
         let set = |solver: &mut stickslip::NormalSolver| {
             if load.is_some() || gap.is_some() {
                 let grid = self.0.grid();
@@ -227,6 +227,11 @@ impl NormalSolver {
     }
 
     /// Sets the gap of the next solve, for example after wear.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     If the unit of the gap differs from that of the earlier gaps.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         self.change(py, None, Some(gap))
     }

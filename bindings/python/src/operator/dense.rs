@@ -8,6 +8,7 @@ use stickslip::influence::Component;
 
 use crate::argument::Object;
 use crate::array::{Array, view_slice};
+use crate::cgm::{bounds, check_grids};
 use crate::choice::Choice;
 use crate::digits::{counted, short};
 use crate::error::OrRaise;
@@ -36,7 +37,7 @@ impl DenseOperator {
         let len = rows.len()?;
         let entries = contiguous(&rows, len.saturating_mul(len))?;
         let matrix = stickslip::dense::DenseOperator::from_rows(len, entries.as_slice()?.to_vec());
-        Ok(Self::of(matrix.or_raise(py)?))
+        Ok(Self::of(matrix.or_raise(py)?, None))
     }
 
     /// Creates the matrix of one influence coefficient between all cells of a half-space.
@@ -46,10 +47,11 @@ impl DenseOperator {
         bodies: Object<HalfSpace>,
         component: Choice<Component>,
     ) -> PyResult<Py<Self>> {
-        let matrix = unobserved_on(py, bodies.0.grid(), || {
+        let grid = bodies.0.grid();
+        let matrix = unobserved_on(py, grid, || {
             stickslip::dense::DenseOperator::of_half_space(&bodies.0, component.0)
         })?;
-        Py::new(py, Self::of(matrix))
+        Py::new(py, Self::of(matrix, Some(grid)))
     }
 
     /// Returns the entry of a row and a column, or ``None`` outside the matrix.
@@ -75,22 +77,26 @@ impl DenseOperator {
     /// Raises
     /// ------
     /// Sample, Bounds, Total, NotPositiveDefinite, NotConverged
+    /// GridMismatch, Shape
+    ///     See :func:`stickslip.cgm.minimise`.
     #[pyo3(signature = (linear, *, lower=None, upper=None, total=None))]
     fn minimise(
-        &self,
+        slf: &Bound<'_, Self>,
         py: Python<'_>,
         linear: Bound<'_, PyAny>,
         lower: Option<Bound<'_, PyAny>>,
         upper: Option<Bound<'_, PyAny>>,
         total: Option<Real>,
     ) -> PyResult<DenseMinimum> {
-        let cells = Operator::cells(&*self.0);
+        let (matrix, grid) = (&slf.get().0, slf.as_super().get().grid);
+        check_grids([Some(&linear), lower.as_ref(), upper.as_ref()], grid)?;
+        let cells = Operator::cells(&**matrix);
         let linear = numbers(&linear, cells)?;
         let linear = linear.as_slice()?;
-        let bounds = crate::cgm::bounds(lower, upper, cells)?;
+        let bounds = bounds(lower, upper, cells)?;
         let found = unobserved(py, cells.saturating_mul(cells), || {
             let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
-            self.0.minimise(
+            matrix.minimise(
                 linear,
                 &stickslip::cgm::Bounds { lower, upper },
                 total.map(f64::from),
@@ -101,9 +107,16 @@ impl DenseOperator {
 }
 
 impl DenseOperator {
-    fn of(matrix: stickslip::dense::DenseOperator) -> PyClassInitializer<Self> {
+    /// Creates an operator of a matrix, whose unknowns are the cells of a grid if it is given.
+    fn of(
+        matrix: stickslip::dense::DenseOperator,
+        grid: Option<stickslip::Grid>,
+    ) -> PyClassInitializer<Self> {
         let matrix = Arc::new(matrix);
-        let operator = LinearOperator::of("DenseOperator", Arc::clone(&matrix));
+        let operator = LinearOperator {
+            grid,
+            ..LinearOperator::of("DenseOperator", Arc::clone(&matrix))
+        };
         PyClassInitializer::from(operator).add_subclass(Self(matrix))
     }
 }

@@ -20,7 +20,7 @@ use crate::digits::counted;
 use crate::error::OrRaise;
 use crate::field::{Field, same_grid};
 use crate::function::Function;
-use crate::real::{Count, in_axes, is_real};
+use crate::real::{Count, by_axis, in_axes, is_real, misshapen};
 use crate::work::unobserved;
 
 /// Operator with one component per cell, of any kind.
@@ -95,7 +95,7 @@ pub(crate) struct LinearOperator {
     pub(crate) product: Arc<dyn Product>,
     kind: &'static str,
     /// Grid of the cells, unless the operator is independent of a grid.
-    grid: Option<stickslip::Grid>,
+    pub(crate) grid: Option<stickslip::Grid>,
 }
 
 impl LinearOperator {
@@ -210,11 +210,24 @@ pub(crate) fn numbers<'py>(
     contiguous(&in_axes(object, "the array", None)?, cells)
 }
 
-/// Returns an error if an operand is a field whose grid differs from the grid of the operator. Arrays have no grid.
+/// Returns an error if an operand does not belong to the grid of the operator: a field on a different grid, or a plane of a
+/// different shape, such as a transposed array. Flat arrays, rows and columns have no grid.
 pub(crate) fn check_grid(object: &Bound<'_, PyAny>, grid: Option<stickslip::Grid>) -> PyResult<()> {
-    match (grid, object.cast::<Field>()) {
-        (Some(grid), Ok(field)) => {
-            same_grid(grid, field.get().0.grid(), "the field").or_raise(object.py())
+    let Some(grid) = grid else {
+        return Ok(());
+    };
+    let py = object.py();
+    if let Ok(field) = object.cast::<Field>() {
+        return same_grid(grid, field.get().0.grid(), "the field").or_raise(py);
+    }
+    let shape = by_axis(object)?
+        .getattr("shape")
+        .and_then(|shape| shape.extract());
+    match shape {
+        Ok((rows, columns))
+            if rows > 1 && columns > 1 && (rows, columns) != (grid.ny(), grid.nx()) =>
+        {
+            Err(misshapen(py, "the array", grid, &[rows, columns]))
         }
         _ => Ok(()),
     }

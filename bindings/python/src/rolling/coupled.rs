@@ -28,7 +28,8 @@ use crate::rolling::RollingSolution;
 use crate::rolling::control::{Controls, Keywords};
 use crate::settings::{Settings, chosen};
 use crate::solution_pool::lock;
-use crate::solver::{Reused, created_by, solve_once, solver};
+use crate::solver::{Reused, created_by, frictional, solve_once, solver};
+use crate::unit::Unit;
 use crate::work::{unobserved_on, watch};
 
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
@@ -76,6 +77,8 @@ pub(crate) struct CoupledRollingProblem {
     problem: rolling::CoupledRollingProblem,
     grid: stickslip::Grid,
     controls: Controls,
+    /// Unit of the gap.
+    unit: Option<Unit>,
     recipe: Recipe,
 }
 
@@ -131,11 +134,7 @@ impl CoupledRollingProblem {
         let grid = bodies.0.grid();
         let gap = gap.gap_before_friction(py, grid)?;
         let friction = friction.on(py, grid)?;
-        let given = (
-            bodies.clone(),
-            Field::from(Arc::clone(&gap)),
-            Friction(friction.clone()),
-        );
+        let given = (bodies.clone(), gap.clone(), Friction(friction.clone()));
         let recipe = Recipe::new(py, given)?
             .with_normal(py, normal, "normal_force")?
             .with(py, "leading_edge", leading_edge)?
@@ -148,6 +147,7 @@ impl CoupledRollingProblem {
             )?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
+        let Field(gap, unit) = gap;
         let built = unobserved_on(py, grid, || {
             let Controls {
                 along: [x, y],
@@ -177,6 +177,7 @@ impl CoupledRollingProblem {
             problem: built,
             grid,
             controls: keywords.controls(),
+            unit,
             recipe,
         })
     }
@@ -196,8 +197,9 @@ impl CoupledRollingProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledRollingSolver> {
         let solver = || self.problem.clone().into_solver();
-        let solver = Reused::new(py, self.grid, self.recipe.cap(py)?, solver)?;
-        Ok(CoupledRollingSolver(solver, Mutex::new(self.controls)))
+        let solver = Reused::new(py, self.grid, solver)?;
+        let (controls, unit) = (Mutex::new(self.controls), Mutex::new(self.unit.clone()));
+        Ok(CoupledRollingSolver(solver, controls, unit))
     }
 
     fn __getnewargs_ex__<'py>(
@@ -219,11 +221,14 @@ pub(crate) struct CoupledRollingSolver(
     Reused<rolling::CoupledRollingSolver>,
     /// Controls of the next solve, which the solver of the crate does not return.
     Mutex<Controls>,
+    /// Unit of the gap.
+    Mutex<Option<Unit>>,
 );
 
 created_by! { CoupledRollingSolver: "CoupledRollingProblem(bodies, gap, friction, normal_force=..., creepage_x=...)" }
 solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
     rolling::CoupledRollingSolution as CoupledRollingSolution, rolling::CoupledRollingSolution::warnings);
+frictional!(CoupledRollingSolver);
 
 #[pymethods]
 impl CoupledRollingSolver {
@@ -320,18 +325,17 @@ impl CoupledRollingSolver {
     }
 
     /// Sets the gap of the next solve (lengths).
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     If the unit of the gap differs from that of the earlier gaps.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.per_cell(py, "gap", self.0.grid())?;
-        self.0.change(py, |solver| solver.set_gap(&gap))
-    }
-
-    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-    /// alone has none; a warning is issued if the last law had one.
-    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let set = |solver: &mut rolling::CoupledRollingSolver, friction: &_| {
-            solver.set_friction(friction)
-        };
-        self.0.set_friction(py, friction, set)
+        let mut last = lock(&self.2, "solver")?;
+        let Field(gap, unit) = gap.next_gap(py, self.0.grid(), last.as_ref())?;
+        self.0.change(py, |solver| solver.set_gap(&gap))?;
+        *last = unit;
+        Ok(())
     }
 
     /// Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x

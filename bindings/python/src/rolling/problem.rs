@@ -200,8 +200,7 @@ impl RollingProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<RollingSolver> {
         let solver = || self.problem.clone().into_solver();
-        let cap = self.recipe.cap(py)?;
-        RollingSolver::of(py, self.grid, self.controls, cap, solver)
+        RollingSolver::of(py, self.grid, self.controls, solver)
     }
 
     fn __getnewargs_ex__<'py>(

@@ -8,7 +8,6 @@ use stickslip::rolling;
 use crate::argument::Object;
 use crate::conversion;
 use crate::error::OrRaise;
-use crate::friction::AnyFriction;
 use crate::load;
 use crate::normal::NormalSolver;
 use crate::progress::Progress;
@@ -17,7 +16,7 @@ use crate::report::{self, Report};
 use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{CreepForces, RollingSolution};
 use crate::solution_pool::lock;
-use crate::solver::{Reused, created_by, solver};
+use crate::solver::{Reused, created_by, frictional, solver};
 use crate::tangential::pressure::Pressure;
 use crate::work::watch;
 
@@ -35,10 +34,9 @@ impl RollingSolver {
         py: Python<'_>,
         grid: stickslip::Grid,
         controls: Controls,
-        cap: Option<f64>,
         solver: impl FnOnce() -> stickslip::Result<rolling::RollingSolver> + Send,
     ) -> PyResult<Self> {
-        let solver = Reused::new(py, grid, cap, solver)?;
+        let solver = Reused::new(py, grid, solver)?;
         Ok(Self(solver, Mutex::new(controls)))
     }
 }
@@ -46,6 +44,7 @@ impl RollingSolver {
 created_by! { RollingSolver: "RollingProblem(bodies, normal, friction, creepage_x=...)" }
 solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as RollingSolution,
     rolling::RollingSolution::warnings);
+frictional!(RollingSolver);
 
 #[pymethods]
 impl RollingSolver {
@@ -105,13 +104,6 @@ impl RollingSolver {
             Ok(())
         };
         self.0.solve(py, set, progress, warn)
-    }
-
-    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-    /// alone has none; a warning is issued if the last law had one.
-    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let set = |solver: &mut rolling::RollingSolver, friction: &_| solver.set_friction(friction);
-        self.0.set_friction(py, friction, set)
     }
 
     /// Sets the pressure of the next solve. A field contains no gap and therefore requires a solver with

@@ -175,7 +175,7 @@ impl TangentialProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<TangentialSolver> {
         let solver = || self.0.clone().into_solver();
-        TangentialSolver::of(py, self.1, self.3, self.2.cap(py)?, solver)
+        TangentialSolver::of(py, self.1, self.3, solver)
     }
 
     fn __getnewargs_ex__<'py>(

@@ -6,12 +6,11 @@ use pyo3::prelude::*;
 
 use crate::conversion;
 use crate::error::OrRaise;
-use crate::friction::AnyFriction;
 use crate::load::{TangentialArgument, TangentialLoad, keywords};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
 use crate::solution_pool::lock;
-use crate::solver::{Reused, created_by, solver};
+use crate::solver::{Reused, created_by, frictional, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
 use crate::work::unobserved_on;
@@ -30,10 +29,9 @@ impl TangentialSolver {
         py: Python<'_>,
         grid: stickslip::Grid,
         load: TangentialLoad,
-        cap: Option<f64>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::TangentialSolver> + Send,
     ) -> PyResult<Self> {
-        let solver = Reused::new(py, grid, cap, solver)?;
+        let solver = Reused::new(py, grid, solver)?;
         Ok(Self(solver, Mutex::new(load)))
     }
 }
@@ -41,6 +39,7 @@ impl TangentialSolver {
 created_by! { TangentialSolver: "TangentialProblem(bodies, normal, friction, force_x=...)" }
 solver!(TangentialSolver: TangentialSolution);
 sensitive!(TangentialSolver: TangentialSolution);
+frictional!(TangentialSolver);
 
 #[pymethods]
 impl TangentialSolver {
@@ -100,14 +99,6 @@ impl TangentialSolver {
             Ok(())
         };
         self.0.solve(py, set, progress, warn)
-    }
-
-    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
-    /// alone has none; a warning is issued if the last law had one.
-    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let set =
-            |solver: &mut stickslip::TangentialSolver, friction: &_| solver.set_friction(friction);
-        self.0.set_friction(py, friction, set)
     }
 
     /// Sets the pressure of the next solve.
