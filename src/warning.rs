@@ -138,7 +138,7 @@ pub enum Warning {
     },
     /// A component of a [bulk strain](crate::tangential::RelativeDisplacement::bulk_strain) times its amount exceeds 0.02 in magnitude,
     /// whereas the model assumes small strains. Common causes are a strain in per cent and an amount in an inconsistent unit.
-    /// Relative displacements that were created from fields, and histories that were restored from bytes, do not have this warning.
+    /// For relative displacements that were created from fields, the strain is the mean strain over the grid.
     LargeBulkStrain {
         /// The largest magnitude of a component at the end of the step, in thousandths.
         per_mille: usize,

@@ -6,7 +6,7 @@ use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::parallel::reduce;
-use crate::tangential::{Axis, TangentialModel};
+use crate::tangential::{Axis, TangentialModel, centre};
 use crate::warning::Warning;
 
 /// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
@@ -144,9 +144,24 @@ impl RelativeDisplacement {
         self.fields.each_ref()
     }
 
-    /// Returns the largest component of the uniform strain times an amount, in thousandths, or `None` if it is small.
-    pub(crate) fn large_strain(&self, amount: f64) -> Option<usize> {
-        Warning::strain_beyond(amount.abs() * largest_component(self.strain))
+    /// Returns the largest component of the mean strain times an amount, in thousandths, or `None` if it is small. The function is
+    /// collective.
+    pub(crate) fn large_strain(&self, bodies: &HalfSpace, amount: f64) -> Option<usize> {
+        Warning::strain_beyond(amount.abs() * largest_component(self.mean_strain(bodies)))
+    }
+
+    /// Returns the mean strain over the grid, the symmetric part of the regression coefficients of the displacements on the
+    /// position. The function is collective.
+    fn mean_strain(&self, bodies: &HalfSpace) -> [[f64; 2]; 2] {
+        let grid = bodies.grid();
+        let [squares @ .., xx, xy, yx, yy] = reduce::sum(&bodies.grid_layout(), |cell| {
+            let ([x, y], [u, v]) = (centre(grid, cell), [0, 1].map(|axis| self.at(axis, cell)));
+            [x * x, y * y, u * x, u * y, v * x, v * y]
+        });
+        // A grid of one line of cells has no extent across it.
+        let [by_x, by_y] = squares.map(|square| if square > 0.0 { 1.0 / square } else { 0.0 });
+        let shear = 0.5 * (xy * by_y + yx * by_x);
+        [[xx * by_x, shear], [shear, yy * by_y]]
     }
 
     /// Returns the largest magnitude along an axis (a length).

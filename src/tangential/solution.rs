@@ -143,7 +143,7 @@ impl TangentialSolution {
             self.enter(answer);
             self.pressed = answer.pressure_fingerprint(self.grid());
         });
-        self.strain_per_mille = relative.and_then(|relative| relative.large_strain(1.0));
+        self.strain_per_mille = relative.and_then(|relative| relative.large_strain(bodies, 1.0));
         self.displacement_tenths = relative.and_then(|relative| {
             let contains = |cell: usize| self.zones[cell] != Zone::Separated;
             let displacement = |axis, cell| relative.at(axis, cell);

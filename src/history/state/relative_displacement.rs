@@ -91,9 +91,13 @@ impl State {
     }
 
     /// Returns the largest component of the bulk strain at the end of a step in thousandths, or `None` if it is small.
-    pub(in crate::history) fn large_strain(&self, load: &LoadStep) -> Option<usize> {
+    pub(in crate::history) fn large_strain(
+        &self,
+        bodies: &HalfSpace,
+        load: &LoadStep,
+    ) -> Option<usize> {
         let relative = self.relative.as_ref()?;
-        relative.pattern.large_strain(relative.end(load))
+        relative.pattern.large_strain(bodies, relative.end(load))
     }
 
     /// Returns whether the pattern has changed since the last step, so that the next step changes the displacement. A

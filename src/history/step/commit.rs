@@ -111,7 +111,7 @@ impl History {
         step.remarks.scale = state.normal.scale();
         step.remarks.hardness_parts = state.normal.low_hardness();
         if !step.remarks.is_apart {
-            step.remarks.strain_per_mille = state.large_strain(load);
+            step.remarks.strain_per_mille = state.large_strain(bodies, load);
         }
         if travel.is_none() && !step.remarks.is_apart {
             step.remarks.shift_tenths =
