@@ -43,7 +43,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
-        let place = Place::new("steps", steps)?;
+        let place = Place::of_object("steps", steps)?;
         let history = reading(history)?;
         let made = AdaptiveSteps::new(&history, tolerance)?;
         give(place, made, history.grid().cells())

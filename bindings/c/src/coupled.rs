@@ -86,7 +86,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
 ) -> stickslip_status {
     call_on(half_space, || {
         // SAFETY: the caller follows the rule for pointers.
-        let place = unsafe { Place::new("solver", solver)? };
+        let place = unsafe { Place::of_object("solver", solver)? };
         // SAFETY: the caller follows the rule for pointers.
         let (bodies, gap, friction) = unsafe {
             let bodies = reading(half_space)?;

@@ -77,7 +77,7 @@ pub unsafe extern "C" fn stickslip_cycle_new(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
-        let place = Place::new("cycle", cycle)?;
+        let place = Place::of_object("cycle", cycle)?;
         let history = reading(history)?;
         give(place, Cycle::try_new(&history)?, history.grid().cells())
     })

@@ -120,7 +120,7 @@ pub unsafe extern "C" fn stickslip_half_space_new_distributed(
 ) -> stickslip_status {
     call(|| {
         // SAFETY: the caller follows the rule for pointers.
-        let place = unsafe { Place::new("half_space", half_space)? };
+        let place = unsafe { Place::of_object("half_space", half_space)? };
         // SAFETY: the caller follows the rule for pointers.
         let (grid, bodies, boundary, ranks, layers) = unsafe {
             let bodies = [input("body_1", body_1)?, input("body_2", body_2)?];

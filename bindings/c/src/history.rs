@@ -94,7 +94,7 @@ pub unsafe extern "C" fn stickslip_history_new(
 ) -> stickslip_status {
     call_on(half_space, || {
         // SAFETY: the caller follows the rule for pointers.
-        let place = unsafe { Place::new("history", history)? };
+        let place = unsafe { Place::of_object("history", history)? };
         // SAFETY: the caller follows the rule for pointers.
         let (bodies, friction, options) = unsafe {
             let bodies = reading(half_space)?;
@@ -162,7 +162,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
-        let place = Place::new("copy", copy)?;
+        let place = Place::of_object("copy", copy)?;
         let history = reading(history)?;
         give(place, history.try_clone()?, history.grid().cells())
     })

@@ -54,7 +54,7 @@ pub unsafe extern "C" fn stickslip_planes_new(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
-        let place = Place::new("planes", planes)?;
+        let place = Place::of_object("planes", planes)?;
         let (depths, bodies) = (entries("depths", depths, count)?, reading(half_space)?);
         let grid = bodies.grid();
         let mut own = Planes::new(&bodies, depths)?;

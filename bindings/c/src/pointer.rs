@@ -64,6 +64,21 @@ impl<T> Place<T> {
     }
 }
 
+impl<T> Place<*mut T> {
+    /// Creates the required destination of a new object, and sets it to NULL. A caller can therefore free the object after a
+    /// failure.
+    ///
+    /// # Safety
+    /// The caller must follow the rule for pointers in [`crate::pointer`] until the result is written.
+    pub(crate) unsafe fn of_object(name: &str, pointer: *mut *mut T) -> Outcome<Self> {
+        // SAFETY: the caller follows the safety contract of this function.
+        let place = unsafe { Self::new(name, pointer)? };
+        // SAFETY: the pointer was checked above.
+        unsafe { place.0.write(std::ptr::null_mut()) };
+        Ok(place)
+    }
+}
+
 /// Writes the result of a computation to a destination that is checked first.
 ///
 /// # Safety

@@ -174,7 +174,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
-        let place = Place::new("solver", solver)?;
+        let place = Place::of_object("solver", solver)?;
         let (bodies, normal) = (reading(half_space)?, reading(normal)?);
         let grid = bodies.grid();
         let friction = input("friction", friction)?.checked(grid)?;

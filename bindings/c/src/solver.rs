@@ -167,7 +167,7 @@ where
 {
     // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
-        let place = Place::new("solution", solution)?;
+        let place = Place::of_object("solution", solution)?;
         let solver = reading(solver)?;
         give(place, solver.own.new_solution()?, solver.grid.cells())
     })

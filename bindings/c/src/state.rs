@@ -24,7 +24,7 @@ pub unsafe extern "C" fn stickslip_state_new(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
-        let place = Place::new("state", state)?;
+        let place = Place::of_object("state", state)?;
         let history = reading(history)?;
         give(place, history.state().try_clone()?, history.grid().cells())
     })
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn stickslip_history_from_bytes(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
-        let place = Place::new("history", history)?;
+        let place = Place::of_object("history", history)?;
         let (bodies, bytes) = (reading(half_space)?, entries("bytes", bytes, length)?);
         let made = History::from_bytes(&bodies, bytes)?;
         give(place, made, bodies.grid().cells())

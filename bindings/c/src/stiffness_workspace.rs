@@ -67,7 +67,7 @@ pub unsafe extern "C" fn stickslip_stiffness_workspace_new(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
-        let place = Place::new("workspace", workspace)?;
+        let place = Place::of_object("workspace", workspace)?;
         let mut made = StiffnessWorkspace::new();
         if let Some(options) = optional("options", options)? {
             options.apply(&mut made)?;

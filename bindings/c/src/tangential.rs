@@ -117,7 +117,7 @@ unsafe fn new(
     solver: *mut *mut stickslip_tangential_solver,
 ) -> Outcome {
     // SAFETY: the caller follows the safety contract of this function.
-    let place = unsafe { Place::new("solver", solver)? };
+    let place = unsafe { Place::of_object("solver", solver)? };
     // SAFETY: the caller follows the safety contract of this function.
     let (bodies, friction, load, options) = unsafe {
         let bodies = reading(half_space)?;

@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::process::id;
 use std::ptr::null_mut;
 use std::sync::atomic::{AtomicPtr, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread::available_parallelism;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -73,13 +73,19 @@ fn none(threads: usize, problem: &dyn std::fmt::Display) -> Failure {
 
 /// Returns the requested number of threads, or the default of rayon if the requested number is zero.
 fn threads(asked: usize) -> usize {
-    let positive = |count: &usize| *count > 0;
-    let variable = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
-    let processors = || available_parallelism().map_or(1, NonZero::get);
-    Some(asked)
-        .filter(positive)
-        .or_else(|| variable().filter(positive))
-        .unwrap_or_else(processors)
+    // The environment and the limits of the process are read once, because reading them takes longer than many calls.
+    static DEFAULT: OnceLock<usize> = OnceLock::new();
+    if asked > 0 {
+        return asked;
+    }
+    *DEFAULT.get_or_init(|| {
+        let variable = std::env::var("RAYON_NUM_THREADS").ok();
+        let variable = variable.and_then(|count| count.parse().ok());
+        let processors = || available_parallelism().map_or(1, NonZero::get);
+        variable
+            .filter(|count| *count > 0)
+            .unwrap_or_else(processors)
+    })
 }
 
 /// Runs work on the given number of cells on the appropriate threads.
@@ -101,7 +107,7 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
 }
 
 /// Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
-/// of 0 means the default: the value of RAYON_NUM_THREADS, or one thread for each processor if it is not set. With a count
+/// of 0 means the default: the value of RAYON_NUM_THREADS at its first use, or one thread for each processor if it is not set. With a count
 /// of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
 /// are bitwise identical for any number of threads.
 ///
