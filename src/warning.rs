@@ -279,8 +279,8 @@ pub enum Warning {
     ///
     /// On a sphere that is pressed in 16 steps, under tangential forces of 0.3 and 0.7 of the friction capacity, the stick ratio is
     /// 5 and 10 % too large at a ratio of 0.5. At a ratio of 1 it is 25 and 40 % too large. For a
-    /// [`TangentialProblem`](crate::TangentialProblem), which presses in one step, it is about 25 % too large at a ratio of 0.5, and
-    /// twice as large at a ratio of 1. Contacts that do not vary across the axis do not have this warning.
+    /// [`TangentialProblem`](crate::TangentialProblem), which presses in one step, it is 22 to 28 % too large at a ratio of 0.5, and
+    /// about 100 % too large at a ratio of 1. Contacts that do not vary across the axis do not have this warning.
     NeglectedTraction {
         /// Dundurs' beta divided by the mean coefficient of friction, in per cent.
         per_cent: usize,
