@@ -17,8 +17,8 @@ use crate::error::{Error, Result, finite, positive};
 /// and $`\mu P`$ for $`x \ge 3`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force on
 /// body 1, as in [`rolling`](crate::rolling). The curve assumes an elliptic stick zone that touches the leading edge of the
 /// contact at one point, which is an approximation. For a sphere with $`\nu = 0.25`$ and a creepage along x, the curve is below
-/// the [computed](crate::rolling::RollingProblem) force. The difference is 0.8 % at x = 0.3, 2.3 % at x = 1 and 1.8 % at x = 2.
-/// For a steel ellipse with a = b/2 the difference is up to 3.4 %.
+/// the [computed](crate::rolling::RollingProblem) force. The difference is 0.9 % at x = 0.3, 2.4 % at x = 1 and 1.9 % at x = 2.
+/// For a steel ellipse with a = b/2 the difference is up to 3.4 %. All differences are relative to the computed force.
 ///
 /// P. J. Vermeulen and K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340, <https://doi.org/10.1115/1.3629610>, for bodies of
 /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero; Johnson (1985), section 8.4.

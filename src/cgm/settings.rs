@@ -14,7 +14,8 @@ use crate::error::{Error, Result};
 pub enum Method {
     /// Active sets in the outer loop and preconditioned conjugate gradients without clipping in the inner loop. The residual is
     /// recomputed at every outer step. The product is in double precision once the residual is small. This method is the default.
-    /// It needs 2 to 5 times fewer products than [`Self::PolonskyKeer`].
+    /// The pressure of a sphere or of a rough contact on up to a tenth of the area needs 2 to 8 times fewer products than with
+    /// [`Self::PolonskyKeer`], on 64 to 512 cells along a side. For a rough contact on 40 % of 256 x 256 cells the factor is 11.
     #[default]
     ActiveSet,
     /// A single loop that clips the unknowns to their bounds at every step. Its sources are Polonsky & Keer, Wear 231 (1999) 206,

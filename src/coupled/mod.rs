@@ -18,8 +18,8 @@
 //!
 //! # Influence of the coupling
 //!
-//! Between aluminium and steel ($`\beta = 0.12`$), neglecting the coupling changes the peak pressure of a sphere by 1.2
-//! %. The change is 8 % at $`\beta = 0.29`$ and 20 to 31 % at $`\beta = 0.5`$. The approach changes by at most 3.4 %.
+//! Between aluminium and steel ($`\beta = 0.12`$), the coupling changes the peak pressure of a sphere by 1.2 %. The
+//! change is 8 % at $`\beta = 0.29`$ and 20 to 31 % at $`\beta = 0.5`$. The approach changes by at most 3.4 %.
 //! Steel on rubber is nearly uncoupled ($`\beta = 0.02`$), but a hard body on a compressible body is not.
 //!
 //! # Load steps
@@ -27,7 +27,7 @@
 //! Friction makes pressing depend on the load history. Cells at the edge of a growing contact slip while cells inside
 //! the contact stick. One step from rest gives a stick radius that is too small or too large. At $`\beta = 0.5`$ and
 //! $`\mu = 0.3`$ a `CoupledProblem` gives 0.23 instead of 0.50 of the contact radius. Its approach is accurate to 4e-4,
-//! and its peak pressure to 9e-3. In one step of a history with the entry rule, aluminium on steel at $`\mu = 0.1`$
+//! and its peak pressure to 4e-3. In one step of a history with the entry rule, aluminium on steel at $`\mu = 0.1`$
 //! sticks everywhere ([table](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). For a flat punch, whose
 //! contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as many steps as a
 //! tolerance requires.
@@ -55,10 +55,10 @@
 //! [`CoupledReport`].
 //!
 //! If friction is weak enough for the grid and no tangential force is prescribed, these bounds also bound the whole
-//! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells the limit of friction is $`\mu = 0.29`$ for aluminium on
-//! steel. It is 0.09 for a body of $`\nu = 0.3`$ on a rigid body, and 0.026 at $`\beta = 0.5`$. These limits decrease
-//! with the square root of the number of cells per side. In all other cases the report has an [`ErrorEstimate`], which
-//! is not a bound.
+//! error ([`CoupledReport::error_bounds`]). For a sphere on 64 x 64 cells over 2.5 to 3 contact radii the limit of
+//! friction is $`\mu = 0.32`$ for aluminium on steel. It is 0.10 for a body of $`\nu = 0.3`$ on a rigid body, and 0.026
+//! at $`\beta = 0.5`$. These limits decrease with the square root of the number of cells per side. In all other cases the
+//! report has an [`ErrorEstimate`], which is not a bound.
 //!
 //! The example `dissimilar` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/dissimilar.html"))]

@@ -64,10 +64,11 @@
 //! case the fit is extrapolated from the stick zone. It is rejected if its residual exceeds 0.01 cells. Under spheres and
 //! ellipses the squared value is a quadratic, and the fit finds the edge. For a gap proportional to r^4, the fit is rejected and
 //! the cells keep their raw values. [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports the
-//! fraction of these cells. The table lists errors on 32 x 32 cells over three contact radii, averaged over four positions. The
-//! first value is the error of the raw cells, and the second value is the error of the fit:
+//! fraction of these cells. The table lists relative errors on 32 x 32 cells over three contact radii, averaged over four
+//! positions. The first value is the error of the raw cells, and the second value is the error of the fit. The largest traction
+//! is compared with the largest exact value at the centre of a cell:
 //!
-//! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | rejected fits |
+//! | contact, force over mu W | slip ring, cells | traction | largest traction | stick ratio | rejected fits |
 //! |---|---|---|---|---|---|
 //! | sphere, 0.2 | 0.8 | 5.2e-2, 1.0e-2 | 1.3e-1, 5e-3 | 1.4e-2, 2.2e-3 | 0.23 |
 //! | sphere, 0.4 | 1.7 | 2.3e-2, 5.6e-3 | 2.9e-2, 8e-4 | 1.8e-2, 2.0e-3 | 0.18 |
@@ -77,8 +78,8 @@
 //! | gap r^4, 0.8 | 2.9 | 1.5e-2, 1.2e-2 | 1.8e-3, 1.4e-3 | 1.2e-2, 8.4e-3 | 0.59 |
 //!
 //! Two other grids were tested with the gap r^4. At 0.4 on 64 x 64 cells, the error of the traction is 6e-3 with the fit and
-//! 1.3e-2 for the raw cells. At 0.6 on 40 x 40 cells, the slip ring is about two cells wide. The fit then increases the error of
-//! the largest traction by a factor of 1.4. It increases the error of the stick area by a factor of 1.7.
+//! 1.3e-2 for the raw cells. At 0.6 on 40 x 40 cells, the slip ring is about two cells wide. The fit then does not change the
+//! mean error of the largest traction, 1.3e-2. It increases the error of the stick ratio by a factor of 1.4.
 //!
 //! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!

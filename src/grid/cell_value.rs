@@ -13,8 +13,8 @@
 /// ```
 ///
 /// for all components and any sides of the cells. The cost of a product does not change. The sphere of the front page has
-/// 128 x 128 cells on three contact radii. Its pressure error without the edge cells is a sixth of the error with uniform
-/// cells.
+/// 128 x 128 cells on three contact radii. At the centres of cells more than one cell side from the edge, its pressure
+/// error is a seventh of the error with uniform cells.
 ///
 /// For dissimilar bodies the gain is smaller. It decreases as Dundurs' beta increases. For beta of 0.5 or more the
 /// tractions of the cells become less accurate. The table lists the error with centre values divided by the error with

@@ -248,7 +248,7 @@
 //! |---|---|---|---|
 //! | 1 | entry rule | 1.9 | 0.94 |
 //! | 10 | entry rule | 1.1 | 0.999 |
-//! | 1 | whole step | 5.2 | |
+//! | 1 | whole step | 5.3 | |
 //!
 //! # Failed steps
 //! A step that is rejected, is cancelled or does not converge leaves the [`State`] of the history bitwise unchanged.

@@ -419,8 +419,8 @@ impl NormalSolution {
     /// relative to the cells.
     ///
     /// The difference from a solve with half as many cells per side estimates only the error of the approach of uniform
-    /// cells. A third of the difference is 0.4 to 1.2 times the error on 64 and 128 cells. This ratio was measured for
-    /// a sphere and an ellipse 2:1 at 8 positions each. The ratio lies anywhere between -100 and 60 for the approach of
+    /// cells. A third of the difference is 0.4 to 2 times the error on 64 and 128 cells. This ratio was measured for
+    /// spheres and for ellipses 2:1 at 16 positions each. The ratio lies anywhere between -100 and 60 for the approach of
     /// centre values, energies, the shift in partial slip and rough surfaces. Other assumed orders of convergence do
     /// not improve this ratio.
     ///

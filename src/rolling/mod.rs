@@ -43,15 +43,15 @@
 //! ignores the lift. Its solution then has the warning [`NeglectedLift`](crate::Warning::NeglectedLift). A
 //! [`CoupledRollingProblem`] alternates between two solves: for the pressure over the lifted gap, and for the tractions under
 //! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
-//! 0.45, 0.25 and 0) and 24 cells over 2.6 contact radii. The longitudinal creepage is 0.05, the spin is 0.1, and the tolerance
-//! is 1e-9:
+//! 0.45, 0.25 and 0) with R = 1, G = 1, W = 1 and 24 cells over 2.6 contact radii. The longitudinal creepage is 0.05, the spin is
+//! 0.1, and the tolerance is 1e-9:
 //!
 //! | $`\beta`$ | $`\mu`$ | error of a pass divided by the error of the previous pass | passes | products |
 //! |---|---|---|---|---|
 //! | 0.09 | 0.1 | 0.01 | 6 | 311 |
-//! | 0.33 | 1 | 0.13 | 12 | 409 |
-//! | 0.5 | 0.3 | 0.13 | 15 | 741 |
-//! | 0.5 | 1 | 0.22 | 21 | 802 |
+//! | 0.33 | 1 | 0.13 | 12 | 412 |
+//! | 0.5 | 0.3 | 0.13 | 15 | 745 |
+//! | 0.5 | 1 | 0.22 | 21 | 810 |
 //!
 //! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for the whole
 //! coupled contact. [`CoupledRollingSolver::stiffness`] includes the effect of the tractions on the pressure.
@@ -73,19 +73,19 @@
 //! # Accuracy and cost
 //!
 //! The table is for a sphere with $`\nu = 0.25`$, friction 0.3, and the longitudinal creepage at which Kalker's linear
-//! theory reaches $`\mu P`$. The solves are cold (they start from zero tractions), with a tolerance of 1e-8. The
-//! columns are the numbers of cells across the contact:
+//! theory ($`C_{11} = 4.12`$) reaches $`\mu P`$. The solves are cold (they start from zero tractions), with a tolerance of
+//! 1e-8. The columns are the numbers of cells across the contact. The grid has four more cells on each side:
 //!
 //! | cells | 16 | 32 | 64 | 128 |
 //! |---|---|---|---|---|
 //! | $`F/\mu P`$ with the entry rule | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
 //! | $`F/\mu P`$ without the entry rule | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
-//! | products, cold | 46 | 62 | 83 | 114 |
+//! | products, cold | 48 | 66 | 84 | 116 |
 //!
 //! A product is one application of the compliance of both directions to the tractions of a window around the contact. All
 //! products are computed in double precision, including the products that the report counts as [single-precision
 //! products](crate::Report::single_precision_products). One application of the preconditioner in single precision follows each
-//! product. After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products.
+//! product. After an increase of the creepage by one per cent, a solve takes 29, 41, 51 and 65 products.
 //!
 //! For Carter's cylinder at 0.64 of the sliding force, on 32, 64, 128, 256 and 512 cells, the errors of the force are 9e-5, 4e-5,
 //! 8e-6, 3e-6 and 4e-7 of $`\mu P`$. Without the entry rule they are 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.

@@ -16,7 +16,7 @@
 //!
 //! The error of interpolation at `n` nodes decreases like `rho^-n` (Trefethen, Approximation Theory and Approximation Practice,
 //! 2013, theorem 8.2). The largest error of the derivatives of the potentials in the stresses is about `0.6 n^2 rho^-n`, relative
-//! to the stress `1/(2 pi r^2)` of a unit force at the distance `r`. With `rho >= 4` along both axes and 24 nodes it is 1.0e-12.
+//! to the stress `1/(2 pi r^2)` of a unit force at the distance `r`. With `rho >= 4` along both axes and 24 nodes it is 1.2e-12.
 
 use std::ops::Range;
 

@@ -20,7 +20,9 @@ use crate::tangential::Zone;
 /// The stick zone is the contact area under the smaller load. The superposition is exact if the tangential compliance
 /// is proportional to the normal compliance. It is exact on any surface for Poisson's ratio zero, and on spheres for
 /// any Poisson's ratio. On ellipsoids the traction is exact, but the factor of the shift differs from `kappa`. On rough
-/// surfaces with Poisson's ratio 0.29, the traction has an error of 4 to 6 %, and the shift an error of 0.7 %.
+/// surfaces with Poisson's ratio 0.29 and contact on 2 to 40 % of the area, the error was measured on 64 x 64 and
+/// 128 x 128 cells. Under 0.1 to 0.6 of the sliding force, the traction has an error of 2 to 5 % (sum of the differences),
+/// and the shift an error of at most 0.5 %.
 ///
 /// See Jaeger, J. Tribology 120 (1998) 677, <https://doi.org/10.1115/1.2833765>. Ciavarella proved the superposition for
 /// plane contacts in Int. J. Solids Struct. 35 (1998) 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>. He proved
