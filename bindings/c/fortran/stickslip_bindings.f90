@@ -2140,8 +2140,8 @@ module stickslip_bindings
             import
             type(stickslip_normal_solution), value :: solution
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_edges
@@ -2158,8 +2158,8 @@ module stickslip_bindings
             type(stickslip_normal_solution), value :: normal
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_edges
@@ -2172,8 +2172,8 @@ module stickslip_bindings
             type(stickslip_coupled_solution), value :: solution
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_edges
@@ -2184,8 +2184,8 @@ module stickslip_bindings
             import
             type(stickslip_coupled_solution), value :: solution
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_pressure_edges
