@@ -21,6 +21,8 @@ ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
     "depths", "points", "forces", "responses", "values", "heights", "labels", "layers_1", "layers_2", "slip_distance", "centres", "means",
 }
+# Arrays of numbers that may be omitted.
+OPTIONAL = {"centres", "means"}
 # Members of structs with a nonzero default, as ..._default() returns them; tests/reach.f90 compares the two.
 INFINITE = "transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)"
 NOT_A_NUMBER = "transfer(int(z'7FF8000000000000', c_int64_t), 0.0_c_double)"
@@ -104,7 +106,7 @@ class Header:
         # An assumed-size array cannot have default initialisation.
         intent = "in" if is_const else "inout" if many else "out"
         # An omitted argument is passed as NULL.
-        optional = "" if kind == "double" and many else ", optional"
+        optional = "" if kind == "double" and many and name not in OPTIONAL else ", optional"
         return name, f"{base}, intent({intent}){optional} :: {name}{many}"
 
     def function(self, declared):

@@ -4,15 +4,39 @@ module stickslip_base
     use stickslip_bindings
     implicit none
 
-    ! Base type of all objects: the address shows whether the object has been created.
+    ! Message of the last failure that these modules detected themselves, and the message of C that marks it.
+    character(len=160), private, save :: own_message = ''
+    character(len=*), parameter, private :: mark = 'error is NULL or misaligned'
+    !$omp threadprivate(own_message)
+
+    ! Owner of a C object, which frees it. A copy of the owner has another address and does not free the object.
+    type :: stickslip_owner
+        private
+        type(c_ptr) :: object = c_null_ptr
+        procedure(free_object), pointer, nopass :: free => null()
+        type(c_ptr) :: origin = c_null_ptr
+    contains
+        final :: owner_final
+    end type stickslip_owner
+
+    ! Base type of all objects: the address shows whether the object has been created. Each type declares its own
+    ! assignment, because gfortran does not call an inherited one for components. The owner is allocatable, because
+    ! gfortran 12 finalizes components that are arrays only if they are allocatable.
     type, abstract :: stickslip_object
+        type(stickslip_owner), allocatable, private :: owner
     contains
         procedure(address_of), deferred :: address
-        procedure, private :: refuse_copy
-        generic :: assignment(=) => refuse_copy
+        procedure, non_overridable :: own
+        procedure, non_overridable :: disown
     end type stickslip_object
 
     abstract interface
+        function free_object(object) result(code) bind(c)
+            import
+            type(c_ptr), value :: object
+            integer(c_int32_t) :: code
+        end function free_object
+
         ! Returns the address of the C object; NULL before it is created.
         function address_of(this) result(address)
             import
@@ -23,11 +47,11 @@ module stickslip_base
 
 contains
 
-    ! Returns the message of the last failure in C on this thread. Errors that these modules detect themselves have only a
-    ! code.
+    ! Returns the message of the last failure on this thread.
     function stickslip_message() result(message)
         character(len=:), allocatable :: message
         message = text_of(stickslip_last_error_message())
+        if (message == mark .and. own_message /= '') message = trim(own_message)
     end function stickslip_message
 
     ! Returns the version of the library.
@@ -60,18 +84,55 @@ contains
         end if
     end subroutine report_status
 
-    ! Reports an error that C does not detect. Without status the message is shown and the program stops.
+    ! Reports an error that C does not detect. Without status the message is shown and the program stops. A call of C that
+    ! fails marks the message as the last one, so that a later failure of C replaces it.
     subroutine refuse(code, message, status)
         integer(c_int32_t), intent(in) :: code
         character(len=*), intent(in) :: message
         integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: failed
         if (.not. present(status)) error stop 'stickslip: ' // message
         status = code
+        own_message = message
+        failed = stickslip_last_error()
     end subroutine refuse
 
-    subroutine refuse_copy(this, other)
+    ! Makes the object responsible for its C object, which it frees with a function of C.
+    subroutine own(this, free)
         class(stickslip_object), intent(inout) :: this
-        class(stickslip_object), intent(in) :: other
+        type(c_funptr), value :: free
+        call this%disown()
+        allocate (this%owner)
+        call set_owner(this%owner, this%address(), free)
+    end subroutine own
+
+    subroutine set_owner(owner, object, free)
+        type(stickslip_owner), intent(inout), target :: owner
+        type(c_ptr), intent(in) :: object
+        type(c_funptr), value :: free
+        owner%object = object
+        owner%origin = c_loc(owner)
+        call c_f_procpointer(free, owner%free)
+    end subroutine set_owner
+
+    ! Ends the responsibility for a C object that has been freed.
+    subroutine disown(this)
+        class(stickslip_object), intent(inout) :: this
+        if (.not. allocated(this%owner)) return
+        this%owner%origin = c_null_ptr
+        deallocate (this%owner)
+    end subroutine disown
+
+    ! Frees the object unless another thread is using it.
+    impure elemental subroutine owner_final(owner)
+        type(stickslip_owner), intent(inout), target :: owner
+        integer(c_int32_t) :: code
+        if (c_associated(owner%origin, c_loc(owner))) code = owner%free(owner%object)
+        owner%origin = c_null_ptr
+    end subroutine owner_final
+
+    subroutine refuse_copy(this, other)
+        class(stickslip_object), intent(in) :: this, other
         if (c_associated(this%address()) .or. c_associated(other%address())) &
             error stop 'stickslip: an object cannot be assigned to another object'
     end subroutine refuse_copy
@@ -93,11 +154,17 @@ contains
     end function fits
 
     ! Returns a quantity with a value for each cell, for example a coefficient of friction or a hardness. The values are not
-    ! copied: the array needs the attribute target and must remain valid until the call that uses the quantity.
-    function per_cell(values) result(quantity)
+    ! copied: the array needs the attribute target and must remain valid until the call that uses the quantity. After
+    ! STICKSLIP_LENGTH every use of the quantity fails.
+    function per_cell(values, grid, status) result(quantity)
         real(c_double), intent(in), target, contiguous :: values(:, :)
+        type(stickslip_grid), intent(in) :: grid
+        integer(c_int32_t), intent(out), optional :: status
         type(stickslip_per_cell) :: quantity
+        quantity = stickslip_per_cell(count=grid%nx * grid%ny)
+        if (.not. fits('the quantity per cell', shape(values), grid, status)) return
         quantity = stickslip_per_cell(cells=c_loc(values), count=size(values, kind=c_size_t))
+        call report_status(STICKSLIP_OK, status)
     end function per_cell
 
     ! Returns the message of a warning.

@@ -1720,8 +1720,9 @@ module stickslip_bindings
         end function stickslip_bentall_johnson_cylinder
 
         ! Computes Kalker's coefficients for an ellipse with the ratio a/b of the semi-axes along and across the rolling
-        ! direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside
-        ! this range or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
+        ! direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_NOT_POSITIVE if the ratio a/b is not
+        ! positive and finite. Returns STICKSLIP_BELOW_MINIMUM for another ratio outside this range or a negative Poisson's ratio, and
+        ! STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
         function stickslip_kalker_coefficients(ratio, poisson_ratio, found) result(answer) bind(c)
             import
             real(c_double), value :: ratio
@@ -2139,8 +2140,8 @@ module stickslip_bindings
             import
             type(stickslip_normal_solution), value :: solution
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_edges
@@ -2157,8 +2158,8 @@ module stickslip_bindings
             type(stickslip_normal_solution), value :: normal
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_edges
@@ -2171,8 +2172,8 @@ module stickslip_bindings
             type(stickslip_coupled_solution), value :: solution
             type(stickslip_friction), intent(in), optional :: friction
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_edges
@@ -2183,8 +2184,8 @@ module stickslip_bindings
             import
             type(stickslip_coupled_solution), value :: solution
             type(stickslip_edges), intent(out), optional :: edges
-            real(c_double), intent(inout) :: centres(*)
-            real(c_double), intent(inout) :: means(*)
+            real(c_double), intent(inout), optional :: centres(*)
+            real(c_double), intent(inout), optional :: means(*)
             integer(c_size_t), value :: cells
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_pressure_edges

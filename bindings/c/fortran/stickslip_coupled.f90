@@ -26,7 +26,8 @@ module stickslip_coupled
         procedure :: discretisation_estimates => coupled_solution_discretisation_estimates
         procedure :: address => coupled_solution_address
         procedure :: free => coupled_solution_free
-        final :: coupled_solution_final
+        procedure, private :: coupled_solution_refuse
+        generic :: assignment(=) => coupled_solution_refuse
     end type coupled_solution
 
     ! Solver for repeated coupled contacts, each loaded from rest in one step. Each solve starts from the last solution.
@@ -43,7 +44,8 @@ module stickslip_coupled
         procedure :: solve => coupled_solver_solve
         procedure :: address => coupled_solver_address
         procedure :: free => coupled_solver_free
-        final :: coupled_solver_final
+        procedure, private :: coupled_solver_refuse
+        generic :: assignment(=) => coupled_solver_refuse
     end type coupled_solver
 
 contains
@@ -168,17 +170,19 @@ contains
     end function coupled_solution_address
 
     ! Frees the object unless another thread is using it.
-    subroutine coupled_solution_free(this)
+    impure elemental subroutine coupled_solution_free(this)
         class(coupled_solution), intent(inout) :: this
         if (stickslip_coupled_solution_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_coupled_solution()
+            call this%disown()
         end if
     end subroutine coupled_solution_free
 
-    subroutine coupled_solution_final(this)
-        type(coupled_solution), intent(inout) :: this
-        call this%free()
-    end subroutine coupled_solution_final
+    impure elemental subroutine coupled_solution_refuse(this, other)
+        class(coupled_solution), intent(inout) :: this
+        class(coupled_solution), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine coupled_solution_refuse
 
     ! Creates a solver for a gap before loading (lengths). An omitted hardness means no limit of the pressure, an
     ! omitted relative means no relative displacement, and omitted settings mean the defaults.
@@ -253,6 +257,7 @@ contains
         code = STICKSLIP_OK
         if (.not. c_associated(solution%address())) then
             code = stickslip_coupled_solution_new(this%handle, solution%handle)
+            if (code == STICKSLIP_OK) call solution%own(c_funloc(stickslip_coupled_solution_free))
             solution%grid = this%grid
         end if
         if (code == STICKSLIP_OK) code = stickslip_coupled_solver_solve(this%handle, solution%handle, observer)
@@ -271,6 +276,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_coupled_solver_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_coupled_solver_free))
             this%grid = grid
         else
             given_up = stickslip_coupled_solver_free(made)
@@ -285,15 +291,17 @@ contains
     end function coupled_solver_address
 
     ! Frees the object unless another thread is using it.
-    subroutine coupled_solver_free(this)
+    impure elemental subroutine coupled_solver_free(this)
         class(coupled_solver), intent(inout) :: this
         if (stickslip_coupled_solver_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_coupled_solver()
+            call this%disown()
         end if
     end subroutine coupled_solver_free
 
-    subroutine coupled_solver_final(this)
-        type(coupled_solver), intent(inout) :: this
-        call this%free()
-    end subroutine coupled_solver_final
+    impure elemental subroutine coupled_solver_refuse(this, other)
+        class(coupled_solver), intent(inout) :: this
+        class(coupled_solver), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine coupled_solver_refuse
 end module stickslip_coupled

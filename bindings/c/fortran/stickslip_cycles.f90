@@ -22,7 +22,8 @@ module stickslip_cycles
         procedure :: error => adaptive_steps_error
         procedure :: address => adaptive_steps_address
         procedure :: free => adaptive_steps_free
-        final :: adaptive_steps_final
+        procedure, private :: adaptive_steps_refuse
+        generic :: assignment(=) => adaptive_steps_refuse
     end type adaptive_steps
 
     ! Sums over the steps of a history since the start of the cycle.
@@ -37,7 +38,8 @@ module stickslip_cycles
         procedure :: jump => cycle_jump
         procedure :: address => cycle_address
         procedure :: free => cycle_free
-        final :: cycle_final
+        procedure, private :: cycle_refuse
+        generic :: assignment(=) => cycle_refuse
     end type contact_cycle
 
 contains
@@ -109,6 +111,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_adaptive_steps_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_adaptive_steps_free))
         else
             given_up = stickslip_adaptive_steps_free(made)
         end if
@@ -122,17 +125,19 @@ contains
     end function adaptive_steps_address
 
     ! Frees the object unless another thread is using it.
-    subroutine adaptive_steps_free(this)
+    impure elemental subroutine adaptive_steps_free(this)
         class(adaptive_steps), intent(inout) :: this
         if (stickslip_adaptive_steps_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_adaptive_steps()
+            call this%disown()
         end if
     end subroutine adaptive_steps_free
 
-    subroutine adaptive_steps_final(this)
-        type(adaptive_steps), intent(inout) :: this
-        call this%free()
-    end subroutine adaptive_steps_final
+    impure elemental subroutine adaptive_steps_refuse(this, other)
+        class(adaptive_steps), intent(inout) :: this
+        class(adaptive_steps), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine adaptive_steps_refuse
 
     ! Restarts the cycle at the current state of a history. The first call creates the object.
     subroutine cycle_begin(this, history, status)
@@ -144,6 +149,7 @@ contains
             code = stickslip_cycle_begin(this%handle, history%handle)
         else
             code = stickslip_cycle_new(history%handle, this%handle)
+            if (code == STICKSLIP_OK) call this%own(c_funloc(stickslip_cycle_free))
             this%grid = history%grid
         end if
         call report_status(code, status)
@@ -206,17 +212,19 @@ contains
     end function cycle_address
 
     ! Frees the object unless another thread is using it.
-    subroutine cycle_free(this)
+    impure elemental subroutine cycle_free(this)
         class(contact_cycle), intent(inout) :: this
         if (stickslip_cycle_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_cycle()
+            call this%disown()
         end if
     end subroutine cycle_free
 
-    subroutine cycle_final(this)
-        type(contact_cycle), intent(inout) :: this
-        call this%free()
-    end subroutine cycle_final
+    impure elemental subroutine cycle_refuse(this, other)
+        class(contact_cycle), intent(inout) :: this
+        class(contact_cycle), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine cycle_refuse
 
     ! Applies a load in steps like contact_history%press, and writes their number to taken. Every accepted step is added
     ! to cycle, and observer receives its results. For this purpose the accepted steps are taken a second time, with

@@ -20,7 +20,8 @@ module stickslip_histories
         procedure :: report => stiffness_workspace_report
         procedure :: address => stiffness_workspace_address
         procedure :: free => stiffness_workspace_free
-        final :: stiffness_workspace_final
+        procedure, private :: stiffness_workspace_refuse
+        generic :: assignment(=) => stiffness_workspace_refuse
     end type stiffness_workspace
 
     ! Contact that is loaded step by step, with memory of slip. A failed step leaves the history bitwise unchanged.
@@ -59,7 +60,8 @@ module stickslip_histories
         generic :: wear_threshold_energy => wear_threshold_energy_uniform, wear_threshold_energy_of_cells
         procedure :: address => history_address
         procedure :: free => history_free
-        final :: history_final
+        procedure, private :: history_refuse
+        generic :: assignment(=) => history_refuse
     end type contact_history
 
     ! Saved state of a history, including gap, friction and settings. A history can return to this state.
@@ -69,7 +71,8 @@ module stickslip_histories
         procedure :: keep => state_keep
         procedure :: address => state_address
         procedure :: free => state_free
-        final :: state_final
+        procedure, private :: state_refuse
+        generic :: assignment(=) => state_refuse
     end type contact_state
 
 contains
@@ -113,6 +116,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_stiffness_workspace_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_stiffness_workspace_free))
         else
             given_up = stickslip_stiffness_workspace_free(made)
         end if
@@ -126,17 +130,19 @@ contains
     end function stiffness_workspace_address
 
     ! Frees the object unless another thread is using it.
-    subroutine stiffness_workspace_free(this)
+    impure elemental subroutine stiffness_workspace_free(this)
         class(stiffness_workspace), intent(inout) :: this
         if (stickslip_stiffness_workspace_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_stiffness_workspace()
+            call this%disown()
         end if
     end subroutine stiffness_workspace_free
 
-    subroutine stiffness_workspace_final(this)
-        type(stiffness_workspace), intent(inout) :: this
-        call this%free()
-    end subroutine stiffness_workspace_final
+    impure elemental subroutine stiffness_workspace_refuse(this, other)
+        class(stiffness_workspace), intent(inout) :: this
+        class(stiffness_workspace), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine stiffness_workspace_refuse
 
     ! Creates a history for a gap before loading (lengths); the bodies do not touch before the first step.
     subroutine history_new(this, bodies, gap, friction, options, status)
@@ -422,7 +428,7 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         if (.not. fits('coefficients', shape(coefficients), this%grid, status)) return
         if (.not. fits('depth', shape(depth), this%grid, status)) return
-        call report_status(stickslip_wear_archard(this%handle, per_cell(coefficients), depth, size(depth, &
+        call report_status(stickslip_wear_archard(this%handle, per_cell(coefficients, this%grid), depth, size(depth, &
             kind=c_size_t)), status)
     end subroutine wear_archard_of_cells
 
@@ -447,7 +453,7 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         if (.not. fits('coefficients', shape(coefficients), this%grid, status)) return
         if (.not. fits('depth', shape(depth), this%grid, status)) return
-        call report_status(stickslip_wear_energy(this%handle, per_cell(coefficients), depth, size(depth, &
+        call report_status(stickslip_wear_energy(this%handle, per_cell(coefficients, this%grid), depth, size(depth, &
             kind=c_size_t)), status)
     end subroutine wear_energy_of_cells
 
@@ -476,7 +482,7 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         if (.not. fits('coefficients', shape(coefficients), this%grid, status)) return
         if (.not. fits('depth', shape(depth), this%grid, status)) return
-        call report_status(stickslip_wear_threshold_energy(this%handle, per_cell(coefficients), threshold, &
+        call report_status(stickslip_wear_threshold_energy(this%handle, per_cell(coefficients, this%grid), threshold, &
             depth, size(depth, kind=c_size_t)), status)
     end subroutine wear_threshold_energy_of_cells
 
@@ -492,6 +498,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_history_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_history_free))
             this%grid = grid
         else
             given_up = stickslip_history_free(made)
@@ -506,17 +513,19 @@ contains
     end function history_address
 
     ! Frees the object unless another thread is using it.
-    subroutine history_free(this)
+    impure elemental subroutine history_free(this)
         class(contact_history), intent(inout) :: this
         if (stickslip_history_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_history()
+            call this%disown()
         end if
     end subroutine history_free
 
-    subroutine history_final(this)
-        type(contact_history), intent(inout) :: this
-        call this%free()
-    end subroutine history_final
+    impure elemental subroutine history_refuse(this, other)
+        class(contact_history), intent(inout) :: this
+        class(contact_history), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine history_refuse
 
     ! Overwrites a saved state with the current state of a history; the memory is reused. The first call creates the
     ! object.
@@ -529,6 +538,7 @@ contains
             code = stickslip_state_keep(this%handle, history%handle)
         else
             code = stickslip_state_new(history%handle, this%handle)
+            if (code == STICKSLIP_OK) call this%own(c_funloc(stickslip_state_free))
         end if
         call report_status(code, status)
     end subroutine state_keep
@@ -540,15 +550,17 @@ contains
     end function state_address
 
     ! Frees the object unless another thread is using it.
-    subroutine state_free(this)
+    impure elemental subroutine state_free(this)
         class(contact_state), intent(inout) :: this
         if (stickslip_state_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_state()
+            call this%disown()
         end if
     end subroutine state_free
 
-    subroutine state_final(this)
-        type(contact_state), intent(inout) :: this
-        call this%free()
-    end subroutine state_final
+    impure elemental subroutine state_refuse(this, other)
+        class(contact_state), intent(inout) :: this
+        class(contact_state), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine state_refuse
 end module stickslip_histories

@@ -25,7 +25,8 @@ module stickslip_normal
         procedure :: discretisation_estimate => normal_solution_discretisation_estimate
         procedure :: address => normal_solution_address
         procedure :: free => normal_solution_free
-        final :: normal_solution_final
+        procedure, private :: normal_solution_refuse
+        generic :: assignment(=) => normal_solution_refuse
     end type normal_solution
 
     ! Solver for repeated normal contacts of two bodies. Each solve starts from the last solution.
@@ -41,7 +42,8 @@ module stickslip_normal
         procedure :: solve => normal_solver_solve
         procedure :: address => normal_solver_address
         procedure :: free => normal_solver_free
-        final :: normal_solver_final
+        procedure, private :: normal_solver_refuse
+        generic :: assignment(=) => normal_solver_refuse
     end type normal_solver
 
 contains
@@ -158,17 +160,19 @@ contains
     end function normal_solution_address
 
     ! Frees the object unless another thread is using it.
-    subroutine normal_solution_free(this)
+    impure elemental subroutine normal_solution_free(this)
         class(normal_solution), intent(inout) :: this
         if (stickslip_normal_solution_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_normal_solution()
+            call this%disown()
         end if
     end subroutine normal_solution_free
 
-    subroutine normal_solution_final(this)
-        type(normal_solution), intent(inout) :: this
-        call this%free()
-    end subroutine normal_solution_final
+    impure elemental subroutine normal_solution_refuse(this, other)
+        class(normal_solution), intent(inout) :: this
+        class(normal_solution), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine normal_solution_refuse
 
     ! Creates a solver for a gap before loading (lengths) under a load. hardness is the largest pressure that the cells
     ! can carry.
@@ -230,6 +234,7 @@ contains
         code = STICKSLIP_OK
         if (.not. c_associated(solution%address())) then
             code = stickslip_normal_solution_new(this%handle, solution%handle)
+            if (code == STICKSLIP_OK) call solution%own(c_funloc(stickslip_normal_solution_free))
             solution%grid = this%grid
         end if
         if (code == STICKSLIP_OK) code = stickslip_normal_solver_solve(this%handle, solution%handle, observer)
@@ -248,6 +253,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_normal_solver_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_normal_solver_free))
             this%grid = grid
         else
             given_up = stickslip_normal_solver_free(made)
@@ -262,15 +268,17 @@ contains
     end function normal_solver_address
 
     ! Frees the object unless another thread is using it.
-    subroutine normal_solver_free(this)
+    impure elemental subroutine normal_solver_free(this)
         class(normal_solver), intent(inout) :: this
         if (stickslip_normal_solver_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_normal_solver()
+            call this%disown()
         end if
     end subroutine normal_solver_free
 
-    subroutine normal_solver_final(this)
-        type(normal_solver), intent(inout) :: this
-        call this%free()
-    end subroutine normal_solver_final
+    impure elemental subroutine normal_solver_refuse(this, other)
+        class(normal_solver), intent(inout) :: this
+        class(normal_solver), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine normal_solver_refuse
 end module stickslip_normal

@@ -20,7 +20,8 @@ module stickslip_objects
         procedure :: pair => half_space_pair
         procedure :: address => half_space_address
         procedure :: free => half_space_free
-        final :: half_space_final
+        procedure, private :: half_space_refuse
+        generic :: assignment(=) => half_space_refuse
     end type half_space
 
 contains
@@ -102,6 +103,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_half_space_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_half_space_free))
             this%grid = grid
         else
             given_up = stickslip_half_space_free(made)
@@ -116,15 +118,17 @@ contains
     end function half_space_address
 
     ! Frees the object unless another thread is using it.
-    subroutine half_space_free(this)
+    impure elemental subroutine half_space_free(this)
         class(half_space), intent(inout) :: this
         if (stickslip_half_space_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_half_space()
+            call this%disown()
         end if
     end subroutine half_space_free
 
-    subroutine half_space_final(this)
-        type(half_space), intent(inout) :: this
-        call this%free()
-    end subroutine half_space_final
+    impure elemental subroutine half_space_refuse(this, other)
+        class(half_space), intent(inout) :: this
+        class(half_space), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine half_space_refuse
 end module stickslip_objects

@@ -24,7 +24,8 @@ module stickslip_rolling
         procedure :: dissipation_per_area => rolling_solution_dissipation_per_area
         procedure :: address => rolling_solution_address
         procedure :: free => rolling_solution_free
-        final :: rolling_solution_final
+        procedure, private :: rolling_solution_refuse
+        generic :: assignment(=) => rolling_solution_refuse
     end type rolling_solution
 
     ! Solver for steady rolling with a sequence of creepages, forces or spins. Each solve starts from the last solution.
@@ -47,7 +48,8 @@ module stickslip_rolling
         procedure :: creep_forces => rolling_solver_creep_forces
         procedure :: address => rolling_solver_address
         procedure :: free => rolling_solver_free
-        final :: rolling_solver_final
+        procedure, private :: rolling_solver_refuse
+        generic :: assignment(=) => rolling_solver_refuse
     end type rolling_solver
 
     ! Pressure, traction, slip and creepage of coupled steady rolling. Fields are read without a copy and remain valid
@@ -63,7 +65,8 @@ module stickslip_rolling
         procedure :: warnings => coupled_rolling_solution_warnings
         procedure :: address => coupled_rolling_solution_address
         procedure :: free => coupled_rolling_solution_free
-        final :: coupled_rolling_solution_final
+        procedure, private :: coupled_rolling_solution_refuse
+        generic :: assignment(=) => coupled_rolling_solution_refuse
     end type coupled_rolling_solution
 
     ! Solver for coupled steady rolling under a sequence of loads. Each solve starts from the last solution.
@@ -82,7 +85,8 @@ module stickslip_rolling
         procedure :: stiffness => coupled_rolling_solver_stiffness
         procedure :: address => coupled_rolling_solver_address
         procedure :: free => coupled_rolling_solver_free
-        final :: coupled_rolling_solver_final
+        procedure, private :: coupled_rolling_solver_refuse
+        generic :: assignment(=) => coupled_rolling_solver_refuse
     end type coupled_rolling_solver
 
 contains
@@ -162,17 +166,19 @@ contains
     end function rolling_solution_address
 
     ! Frees the object unless another thread is using it.
-    subroutine rolling_solution_free(this)
+    impure elemental subroutine rolling_solution_free(this)
         class(rolling_solution), intent(inout) :: this
         if (stickslip_rolling_solution_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_rolling_solution()
+            call this%disown()
         end if
     end subroutine rolling_solution_free
 
-    subroutine rolling_solution_final(this)
-        type(rolling_solution), intent(inout) :: this
-        call this%free()
-    end subroutine rolling_solution_final
+    impure elemental subroutine rolling_solution_refuse(this, other)
+        class(rolling_solution), intent(inout) :: this
+        class(rolling_solution), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine rolling_solution_refuse
 
     ! Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
     ! leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. The
@@ -287,6 +293,7 @@ contains
         code = STICKSLIP_OK
         if (.not. c_associated(solution%address())) then
             code = stickslip_rolling_solution_new(this%handle, solution%handle)
+            if (code == STICKSLIP_OK) call solution%own(c_funloc(stickslip_rolling_solution_free))
             solution%grid = this%grid
         end if
         if (code == STICKSLIP_OK) code = stickslip_rolling_solver_solve(this%handle, solution%handle, observer)
@@ -332,6 +339,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_rolling_solver_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_rolling_solver_free))
             this%grid = grid
         else
             given_up = stickslip_rolling_solver_free(made)
@@ -346,17 +354,19 @@ contains
     end function rolling_solver_address
 
     ! Frees the object unless another thread is using it.
-    subroutine rolling_solver_free(this)
+    impure elemental subroutine rolling_solver_free(this)
         class(rolling_solver), intent(inout) :: this
         if (stickslip_rolling_solver_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_rolling_solver()
+            call this%disown()
         end if
     end subroutine rolling_solver_free
 
-    subroutine rolling_solver_final(this)
-        type(rolling_solver), intent(inout) :: this
-        call this%free()
-    end subroutine rolling_solver_final
+    impure elemental subroutine rolling_solver_refuse(this, other)
+        class(rolling_solver), intent(inout) :: this
+        class(rolling_solver), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine rolling_solver_refuse
 
     ! Returns a field, STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X
     ! or STICKSLIP_SLIP_Y. The slip is given per unit length rolled (dimensionless).
@@ -422,17 +432,19 @@ contains
     end function coupled_rolling_solution_address
 
     ! Frees the object unless another thread is using it.
-    subroutine coupled_rolling_solution_free(this)
+    impure elemental subroutine coupled_rolling_solution_free(this)
         class(coupled_rolling_solution), intent(inout) :: this
         if (stickslip_coupled_rolling_solution_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_coupled_rolling_solution()
+            call this%disown()
         end if
     end subroutine coupled_rolling_solution_free
 
-    subroutine coupled_rolling_solution_final(this)
-        type(coupled_rolling_solution), intent(inout) :: this
-        call this%free()
-    end subroutine coupled_rolling_solution_final
+    impure elemental subroutine coupled_rolling_solution_refuse(this, other)
+        class(coupled_rolling_solution), intent(inout) :: this
+        class(coupled_rolling_solution), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine coupled_rolling_solution_refuse
 
     ! Creates a solver for a gap before loading (lengths) under a normal load. An omitted load means no creepage and no
     ! spin, and omitted options mean the defaults. For the extent of the grid ahead of the contact, see
@@ -513,6 +525,7 @@ contains
         code = STICKSLIP_OK
         if (.not. c_associated(solution%address())) then
             code = stickslip_coupled_rolling_solution_new(this%handle, solution%handle)
+            if (code == STICKSLIP_OK) call solution%own(c_funloc(stickslip_coupled_rolling_solution_free))
             solution%grid = this%grid
         end if
         if (code == STICKSLIP_OK) code = stickslip_coupled_rolling_solver_solve(this%handle, solution%handle, observer)
@@ -542,6 +555,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_coupled_rolling_solver_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_coupled_rolling_solver_free))
             this%grid = grid
         else
             given_up = stickslip_coupled_rolling_solver_free(made)
@@ -556,15 +570,17 @@ contains
     end function coupled_rolling_solver_address
 
     ! Frees the object unless another thread is using it.
-    subroutine coupled_rolling_solver_free(this)
+    impure elemental subroutine coupled_rolling_solver_free(this)
         class(coupled_rolling_solver), intent(inout) :: this
         if (stickslip_coupled_rolling_solver_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_coupled_rolling_solver()
+            call this%disown()
         end if
     end subroutine coupled_rolling_solver_free
 
-    subroutine coupled_rolling_solver_final(this)
-        type(coupled_rolling_solver), intent(inout) :: this
-        call this%free()
-    end subroutine coupled_rolling_solver_final
+    impure elemental subroutine coupled_rolling_solver_refuse(this, other)
+        class(coupled_rolling_solver), intent(inout) :: this
+        class(coupled_rolling_solver), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine coupled_rolling_solver_refuse
 end module stickslip_rolling

@@ -21,7 +21,8 @@ module stickslip_stresses
         procedure :: measure => planes_measure
         procedure :: address => planes_address
         procedure :: free => planes_free
-        final :: planes_final
+        procedure, private :: planes_refuse
+        generic :: assignment(=) => planes_refuse
     end type stress_planes
 
 contains
@@ -100,6 +101,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_planes_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_planes_free))
             this%grid = grid
         else
             given_up = stickslip_planes_free(made)
@@ -114,17 +116,19 @@ contains
     end function planes_address
 
     ! Frees the object unless another thread is using it.
-    subroutine planes_free(this)
+    impure elemental subroutine planes_free(this)
         class(stress_planes), intent(inout) :: this
         if (stickslip_planes_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_planes()
+            call this%disown()
         end if
     end subroutine planes_free
 
-    subroutine planes_final(this)
-        type(stress_planes), intent(inout) :: this
-        call this%free()
-    end subroutine planes_final
+    impure elemental subroutine planes_refuse(this, other)
+        class(stress_planes), intent(inout) :: this
+        class(stress_planes), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine planes_refuse
 
     ! Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points. The body must not be
     ! coated. The sums over all loaded cells are exact for a uniform traction on each cell. Returns STICKSLIP_RIGID_BODY

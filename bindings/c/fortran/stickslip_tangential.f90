@@ -27,7 +27,8 @@ module stickslip_tangential
         procedure :: discretisation_estimate => tangential_solution_discretisation_estimate
         procedure :: address => tangential_solution_address
         procedure :: free => tangential_solution_free
-        final :: tangential_solution_final
+        procedure, private :: tangential_solution_refuse
+        generic :: assignment(=) => tangential_solution_refuse
     end type tangential_solution
 
     ! Solver for repeated tangential contacts, each loaded from rest. Each solve starts from the last solution.
@@ -48,7 +49,8 @@ module stickslip_tangential
         procedure :: solve => tangential_solver_solve
         procedure :: address => tangential_solver_address
         procedure :: free => tangential_solver_free
-        final :: tangential_solver_final
+        procedure, private :: tangential_solver_refuse
+        generic :: assignment(=) => tangential_solver_refuse
     end type tangential_solver
 
 contains
@@ -181,17 +183,19 @@ contains
     end function tangential_solution_address
 
     ! Frees the object unless another thread is using it.
-    subroutine tangential_solution_free(this)
+    impure elemental subroutine tangential_solution_free(this)
         class(tangential_solution), intent(inout) :: this
         if (stickslip_tangential_solution_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_tangential_solution()
+            call this%disown()
         end if
     end subroutine tangential_solution_free
 
-    subroutine tangential_solution_final(this)
-        type(tangential_solution), intent(inout) :: this
-        call this%free()
-    end subroutine tangential_solution_final
+    impure elemental subroutine tangential_solution_refuse(this, other)
+        class(tangential_solution), intent(inout) :: this
+        class(tangential_solution), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine tangential_solution_refuse
 
     ! Creates a solver under the pressure of a solved normal contact on the same bodies.
     subroutine tangential_solver_new(this, bodies, normal, friction, load, options, status)
@@ -304,6 +308,7 @@ contains
         code = STICKSLIP_OK
         if (.not. c_associated(solution%address())) then
             code = stickslip_tangential_solution_new(this%handle, solution%handle)
+            if (code == STICKSLIP_OK) call solution%own(c_funloc(stickslip_tangential_solution_free))
             solution%grid = this%grid
         end if
         if (code == STICKSLIP_OK) code = stickslip_tangential_solver_solve(this%handle, solution%handle, observer)
@@ -322,6 +327,7 @@ contains
         if (code == STICKSLIP_OK) code = stickslip_tangential_solver_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_tangential_solver_free))
             this%grid = grid
         else
             given_up = stickslip_tangential_solver_free(made)
@@ -336,15 +342,17 @@ contains
     end function tangential_solver_address
 
     ! Frees the object unless another thread is using it.
-    subroutine tangential_solver_free(this)
+    impure elemental subroutine tangential_solver_free(this)
         class(tangential_solver), intent(inout) :: this
         if (stickslip_tangential_solver_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_tangential_solver()
+            call this%disown()
         end if
     end subroutine tangential_solver_free
 
-    subroutine tangential_solver_final(this)
-        type(tangential_solver), intent(inout) :: this
-        call this%free()
-    end subroutine tangential_solver_final
+    impure elemental subroutine tangential_solver_refuse(this, other)
+        class(tangential_solver), intent(inout) :: this
+        class(tangential_solver), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine tangential_solver_refuse
 end module stickslip_tangential

@@ -1686,8 +1686,9 @@ stickslip_status stickslip_bentall_johnson_cylinder(const stickslip_half_space *
                                                     stickslip_bentall_johnson *found);
 
 // Computes Kalker's coefficients for an ellipse with the ratio a/b of the semi-axes along and across the rolling
-// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside
-// this range or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
+// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_NOT_POSITIVE if the ratio a/b is not
+// positive and finite. Returns STICKSLIP_BELOW_MINIMUM for another ratio outside this range or a negative Poisson's ratio, and
+// STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
 stickslip_status stickslip_kalker_coefficients(double ratio,
                                                double poisson_ratio,
                                                stickslip_kalker *found);

@@ -37,7 +37,7 @@ if command -v pkg-config >/dev/null; then
     [[ $(realpath "$(pkg-config --variable=prefix stickslip)") == $(realpath "$work/moved") ]]
     read -ra flags < <(pkg-config --cflags --libs stickslip)
     lib=$(pkg-config --variable=libdir stickslip)
-    "$cc" "$here/../examples/press_and_shear.c" "${flags[@]}" -lm -o "$work/program"
-    LD_LIBRARY_PATH=$lib "$work/program" 32 >/dev/null
+    "$cc" "$here/../examples/press_and_shear.c" "${flags[@]}" "-Wl,-rpath,$lib" -lm -o "$work/program"
+    "$work/program" 32 >/dev/null
     [[ -f $(pkg-config --variable=fortrandir stickslip)/stickslip.f90 ]]
 fi

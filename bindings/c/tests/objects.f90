@@ -24,7 +24,7 @@ contains
         go_on = merge(0_c_int32_t, 1_c_int32_t, iteration%iteration >= 0 .and. .not. c_associated(user))
     end function stop_at_once
 
-    ! Tries to replace a history during its own step.
+    ! Tries to replace a history during its own step. Objects of foreign handles do not free them.
     function make_anew(iteration, user) result(go_on) bind(c)
         type(stickslip_iteration), intent(in) :: iteration
         type(c_ptr), value :: user
@@ -40,9 +40,6 @@ contains
         flat = 0
         call history%new(bodies, flat, stickslip_coulomb(0.5d0), status=seen%status)
         seen%is_kept = c_associated(history%address(), seen%history%address)
-        ! The program frees these objects.
-        history%handle = stickslip_history()
-        bodies%handle = stickslip_half_space()
         go_on = merge(1_c_int32_t, 0_c_int32_t, iteration%iteration >= 0)
     end function make_anew
 

@@ -85,7 +85,8 @@ contains
         type(normal_solution) :: pressed
         type(contact_history) :: history
         type(stress_planes) :: planes
-        real(c_double) :: gap(nx, ny), turned(ny, nx)
+        type(stickslip_per_cell) :: hardness
+        real(c_double), target :: gap(nx, ny), turned(ny, nx)
         integer(c_int32_t) :: status
         gap = ball()
         turned = transpose(gap)
@@ -110,6 +111,19 @@ contains
         call check(status == STICKSLIP_LENGTH, 'a pressure of shape (ny, nx)')
         call planes%solve(1, STICKSLIP_BODY_1, gap, gap, turned, status=status)
         call check(status == STICKSLIP_LENGTH, 'a traction of shape (ny, nx)')
+        hardness = per_cell(turned, grid, status)
+        call check(status == STICKSLIP_LENGTH, 'a hardness of shape (ny, nx)')
+        call check(stickslip_message() == 'the quantity per cell has the shape (20, 24), expected the shape of the grid (24, 20)', &
+            'message of a shape')
+        call presser%new(bodies, gap, stickslip_normal_load(STICKSLIP_FORCE, 100), hardness=hardness, status=status)
+        call check(status == STICKSLIP_BAD_POINTER, 'use of a hardness of the wrong shape')
+        call check(index(stickslip_message(), 'the member cells of the hardness is NULL') == 1, 'message of C after a shape')
+        call planes%solve(0, STICKSLIP_BODY_1, gap, status=status)
+        call check(stickslip_message() == 'the index must be at least 1', 'message of an index')
+        status = stickslip_surface_sphere(grid, -1d0, gap, size(gap, kind=c_size_t))
+        call check(status == STICKSLIP_NOT_POSITIVE .and. index(stickslip_message(), 'radius') > 0, 'message of C')
+        hardness = per_cell(gap, grid, status)
+        call check(status == STICKSLIP_OK .and. c_associated(hardness%cells), 'a hardness of the right shape')
     end subroutine shapes
 
     subroutine contacts()
@@ -168,7 +182,7 @@ contains
         ! The coefficient is doubled in half of the cells.
         mu = 0.3d0
         mu(:, ny / 2 + 1:) = 0.6d0
-        call shearer%new(bodies, pressed, stickslip_friction(per_cell(mu)), &
+        call shearer%new(bodies, pressed, stickslip_friction(per_cell(mu, grid)), &
             stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, 20)))
         capacity = shearer%friction_capacity()
         call check(abs(capacity / 45 - 1) < 1d-6, 'friction for each cell')
@@ -179,7 +193,7 @@ contains
             all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'zones')
         call check(abs(count(zones == STICKSLIP_STICK) / real(count(pressure > 0), c_double) - shear%stick_ratio) < 1d-12, &
             'stick ratio')
-        call sheared%edges(pressed, stickslip_friction(per_cell(mu)), edges, means=means)
+        call sheared%edges(pressed, stickslip_friction(per_cell(mu, grid)), edges, means=means)
         call check(abs(edges%stick_ratio - shear%stick_ratio) < 0.05d0 .and. &
             abs(sum(means) * grid%dx * grid%dy / 20 - 1) < 0.02d0, 'the edges of the zones')
         call check(sheared%discretisation_estimate() > 0, 'error estimate of the traction')

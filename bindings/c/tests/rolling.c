@@ -277,6 +277,8 @@ static void closed_forms_are_met(const stickslip_half_space *bodies, stickslip_r
     CLOSE(kalker.c22, 3.67, 5e-3);
     CLOSE(kalker.c23, 1.47, 5e-3);
     CHECK(stickslip_kalker_coefficients(32.0, 0.25, &kalker) == STICKSLIP_BELOW_MINIMUM);
+    CHECK(stickslip_kalker_coefficients(0.0, 0.25, &kalker) == STICKSLIP_NOT_POSITIVE);
+    CHECK(stickslip_kalker_coefficients(-1.0, 0.25, &kalker) == STICKSLIP_NOT_POSITIVE);
     CHECK(stickslip_kalker_coefficients(1.0, 0.6, &kalker) == STICKSLIP_POISSON_RATIO);
     CHECK(stickslip_kalker_coefficients(1.0, 0.25, NULL) == STICKSLIP_BAD_POINTER);
     OK(stickslip_vermeulen_johnson_ellipse(bodies, 1.0, 1.0, 1.0, FRICTION, 0.06, 0.03, &curve));

@@ -117,6 +117,14 @@ int main() {
     check(under(420e3) < 0.99 * pressed.result().approach, "a hard layer reduces the approach");
     fails(STICKSLIP_NOT_POSITIVE, [&] { under(-1.0); });
 
+    // Near the origin, an ellipsoid with one large radius has the gap of a cylinder, and one with equal radii that of a sphere.
+    const Vector round = ss::ellipsoid(grid, 5.0, 5.0), wide = ss::ellipsoid(grid, 5.0, 1e12), ball = ss::sphere(grid, 5.0);
+    const Vector along_y = ss::cylinder(grid, 5.0);
+    const std::size_t near = centre + 3;
+    check(std::fabs(round[near] / ball[near] - 1.0) < 1e-3, "gap of an ellipsoid");
+    check(std::fabs(wide[near] / along_y[near] - 1.0) < 1e-3, "gap of a cylinder");
+    fails(STICKSLIP_NOT_POSITIVE, [&] { ss::cylinder(grid, 0.0); });
+
     // The largest shear stress is 0.310 p0, at the depth 0.481 a.
     const double depth = 0.481 * hertz.contact_radius;
     const ss::Tractions load = ss::tractions(pressed.pressure());
@@ -272,6 +280,32 @@ int main() {
     const ss::Observe never = [](const ss::Iteration &) { return false; };
     fails(STICKSLIP_NOT_CONVERGED, [&] { roller.stiffness(never); });
     fails(STICKSLIP_NOT_CONVERGED, [&] { roller.creep_forces({{{0.1, 0.0}, 0.0}}, never); });
+    // The points solved before an observer ends the call are kept, also if it throws. No point is kept if one is invalid.
+    const std::vector<ss::CreepPoint> two_points = {{{0.05, 0.0}, 0.0}, {{0.1, 0.0}, 0.0}};
+    std::vector<ss::CreepForce> kept_forces, all_forces;
+    std::size_t products = 0;
+    roller.reset();
+    roller.creep_forces_into({two_points[0]}, all_forces, [&](const ss::Iteration &) { return ++products > 0; });
+    const std::size_t of_first = products;
+    const ss::Observe end_in_second = [&](const ss::Iteration &) { return ++products <= of_first + 1; };
+    const ss::Observe throw_in_second = [&](const ss::Iteration &) {
+        return ++products <= of_first + 1 ? true : throw std::runtime_error("stop");
+    };
+    for (const ss::Observe &observe : {end_in_second, throw_in_second}) {
+        products = 0;
+        roller.reset();
+        bool is_ended = false;
+        try {
+            roller.creep_forces_into(two_points, kept_forces, observe);
+        } catch (const std::runtime_error &) {
+            is_ended = true;
+        }
+        check(is_ended && kept_forces.size() == 1 && kept_forces[0].force[0] == all_forces[0].force[0], "kept points");
+    }
+    fails(STICKSLIP_NOT_FINITE, [&] { roller.creep_forces_into({two_points[0], {{NAN, 0.0}, 0.0}}, kept_forces); });
+    check(kept_forces.empty(), "no point of an invalid curve");
+    roller.creep_forces_into(two_points, kept_forces);
+    check(kept_forces.size() == 2 && kept_forces[1].force[0] > kept_forces[0].force[0], "a creep curve in a vector");
     const stickslip_kalker kalker = ss::kalker_coefficients(1.0, steel.poisson_ratio);
     check(std::fabs(kalker.c11 * unit / linear - 1.0) < 0.02, "C11 of the table");
     const stickslip_vermeulen_johnson slight = ss::vermeulen_johnson_ellipse(bodies, 5.0, 5.0, 100.0, 0.3, 1e-7, 0.0);
@@ -311,6 +345,7 @@ int main() {
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;
     check(std::fabs(ss::statistics(grid, ss::self_affine(grid, recipe)).rms_height / 1e-3 - 1.0) < 1e-12, "rms height");
+    fails(STICKSLIP_NOT_CONVERGED, [&] { ss::self_affine(grid, recipe, never); });
     recipe.hurst = 2.0;
     fails(STICKSLIP_HURST, [&] { ss::self_affine(grid, recipe); });
     return failures == 0 ? 0 : 1;

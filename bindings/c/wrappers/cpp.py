@@ -12,7 +12,8 @@ VIEWS = {"field": ("Field", "double"), "zones": ("Zones", "std::uint8_t")}
 CHANGES = [(r"\bReturns (STICKSLIP_\w+) (if|for|unless|before|without)\b", r"Throws \1 \2"),
            (r"\breturns (STICKSLIP_\w+)", r"throws \1"),
            (r"stickslip_last_error_report writes", "Error::report returns"),
-           (r"observer receives its results", "observe receives its results")]
+           (r"observer receives its results", "observe receives its results"),
+           (r"forces then contains the points .* unchanged\.", "creep_forces_into keeps the points solved before.")]
 # Types of observers in C++, by their types in C.
 OBSERVERS = {"stickslip_observer": "Observe", "stickslip_step_observer": "ObserveStep"}
 OBSERVED = "[&](const stickslip_observer *observer)"
@@ -136,12 +137,26 @@ class Wrapper:
         name = next((one.name for one in self.function.of("filled_cells", "filled_array")), "found")
         return of, ([declared] if declared else []) + [made] + ([f"return {name};"] if of != "void" else [])
 
+    def into(self, indent):
+        """Returns the variant that fills a vector of the caller, and the method itself, which calls this variant."""
+        cpp, filled = self.method.cpp, self.function.of("filled_array")[0]
+        name, of = filled.name, f"std::vector<{filled.type}>"
+        arguments = self.parameters().replace(", const Observe", f", {of} &{name}, const Observe")
+        notes = f"Fills a vector like {cpp}. After a failure the vector contains the entries computed before."
+        body = [f"{name}.assign({filled.like}.size(), {{}});",
+                f"detail::Watch(observe).run({OBSERVED} {{ return detail::kept({self.call()}, {name}); }});"]
+        plain = [f"{of} {name};", f"{cpp}_into({filled.like}, {name}, observe);", f"return {name};"]
+        return self.notes(indent) + self.define(f"{of} {cpp}({self.parameters()})", plain, indent) + \
+            comment(notes, "/// ", indent) + self.define(f"void {cpp}_into({arguments})", body, indent)
+
     def then_type(self):
         then = next(one for one in self.owner.methods if one.name == self.method.then)
         return Wrapper(self.header, self.owner, then).result()[0]
 
     def lines(self, scope, known, indent):
         """Returns the wrapper, and its definition apart from the class if it uses a class that follows."""
+        if self.method.into:
+            return self.into(indent), []
         cpp, made = self.method.cpp, self.function.of("made")
         later = [one for one in self.function.of("object") if OBJECTS[short(one.type)].cpp not in known]
         arguments = self.parameters()

@@ -194,7 +194,9 @@ class Procedure:
             source = self.function.of("object")[0].name
             grid = [f"    this%grid = {source}%grid"] if self.owner.has_grid else []
             return ["if (c_associated(this%address())) then", f"    code = {call}", "else",
-                    f"    code = stickslip_{self.owner.c}_new({source}%handle, this%handle)", *grid, "end if", report], [code]
+                    f"    code = stickslip_{self.owner.c}_new({source}%handle, this%handle)",
+                    f"    if (code == STICKSLIP_OK) call this%own(c_funloc(stickslip_{self.owner.c}_free))", *grid,
+                    "end if", report], [code]
         return [f"call report_status({call}, status)"], []
 
 
@@ -206,7 +208,7 @@ def for_each_cell(procedure):
         line = line.replace("(this, coefficient,", "(this, coefficients,")
         line = line.replace("real(c_double), intent(in) :: coefficient",
                             "real(c_double), intent(in), target, contiguous :: coefficients(:, :)")
-        line = line.replace("stickslip_per_cell(coefficient)", "per_cell(coefficients)")
+        line = line.replace("stickslip_per_cell(coefficient)", "per_cell(coefficients, this%grid)")
         if "if (.not. fits('depth'" in line:
             lines.append(line.replace("depth", "coefficients"))
         lines.append(line)
@@ -226,6 +228,7 @@ def solve(owner, solution):
         code = STICKSLIP_OK
         if (.not. c_associated(solution%address())) then
             code = stickslip_{solution.c}_new(this%handle, solution%handle)
+            if (code == STICKSLIP_OK) call solution%own(c_funloc(stickslip_{solution.c}_free))
             solution%grid = this%grid
         end if
         if (code == STICKSLIP_OK) code = stickslip_{c}_solve(this%handle, solution%handle, observer)
@@ -249,6 +252,7 @@ def lifetime(owner, is_taken):
         if (code == STICKSLIP_OK) code = stickslip_{c}_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
+            call this%own(c_funloc(stickslip_{c}_free))
 {kept}        else
             given_up = stickslip_{c}_free(made)
         end if
@@ -263,17 +267,19 @@ def lifetime(owner, is_taken):
     end function {c}_address
 
     ! Frees the object unless another thread is using it.
-    subroutine {c}_free(this)
+    impure elemental subroutine {c}_free(this)
         class({f}), intent(inout) :: this
         if (stickslip_{c}_free(this%handle) == STICKSLIP_OK) then
             this%handle = stickslip_{c}()
+            call this%disown()
         end if
     end subroutine {c}_free
 
-    subroutine {c}_final(this)
-        type({f}), intent(inout) :: this
-        call this%free()
-    end subroutine {c}_final""").splitlines()
+    impure elemental subroutine {c}_refuse(this, other)
+        class({f}), intent(inout) :: this
+        class({f}), intent(in) :: other
+        call refuse_copy(this, other)
+    end subroutine {c}_refuse""").splitlines()
 
 
 def write(header, file):
@@ -306,7 +312,8 @@ def write(header, file):
                   f"        type(stickslip_{owner.c}) :: handle",
                   *["        type(stickslip_grid) :: grid"] * owner.has_grid, "    contains",
                   *(f"        {one}" for one in bound), f"        procedure :: address => {owner.c}_address",
-                  f"        procedure :: free => {owner.c}_free", f"        final :: {owner.c}_final",
+                  f"        procedure :: free => {owner.c}_free", f"        procedure, private :: {owner.c}_refuse",
+                  f"        generic :: assignment(=) => {owner.c}_refuse",
                   f"    end type {owner.f}", ""]
     functions = [method for method in file.functions if method.f is not None]
     for method in functions:

@@ -28,6 +28,8 @@ class Method:
     creates: bool = False
     # Whether the C function has no prefix of the object.
     is_apart: bool = False
+    # Whether C++ also fills a vector of the caller, which keeps the entries computed before a failure.
+    into: bool = False
 
     def __post_init__(self):
         self.c = self.c or self.name
@@ -114,7 +116,7 @@ FILES = [
         Object("rolling_solver", "RollingSolver", "rolling_solver", [
             "new set_load set_friction", Method("set_normal", cpp="set_pressure"),
             "set_pressure set_normal_solver set_normal_load friction_capacity set_settings reset solve stiffness",
-            "creep_forces"]),
+            Method("creep_forces", into=True)]),
         Object("coupled_rolling_solution", "CoupledRollingSolution", "coupled_rolling_solution", [
             "field zones", cpp_only("normal_result", c="results", part="normal"),
             cpp_only("rolling_result", c="results", part="rolling"), f_only("results"), "report warnings"],

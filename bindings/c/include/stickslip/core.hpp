@@ -190,6 +190,15 @@ template <class Ask> Edges edged(std::size_t cells, Ask ask) {
     return found;
 }
 
+/// Removes the entries that a C function has not written because it failed, and returns its status.
+template <class T> stickslip_status kept(stickslip_status status, std::vector<T> &entries) {
+    stickslip_error numbers{};
+    if (status != STICKSLIP_OK && stickslip_last_error(&numbers) == STICKSLIP_OK && numbers.found < entries.size()) {
+        entries.resize(numbers.found);
+    }
+    return status;
+}
+
 /// Observer for C. An exception must not pass through C: it ends the solve and is rethrown afterwards.
 template <class Seen> class Watch {
   public:

@@ -15,7 +15,7 @@ inline Material elastic(double youngs_modulus, double poisson_ratio) { return {y
 
 /// Body with layers, from the outermost inwards, eight at most.
 struct Coated {
-    Coated(const Material &base, std::vector<Layer> layers) : base(base), layers(std::move(layers)) {}
+    Coated(const Material &of_base, std::vector<Layer> of_layers) : base(of_base), layers(std::move(of_layers)) {}
     Material base;
     std::vector<Layer> layers;
 };

@@ -172,16 +172,22 @@ class RollingSolver {
     }
     /// Computes the loads at points. Each solve starts from the solution of the previous point, so consecutive points
     /// should be close to each other. All points are checked before the first solve. Afterwards the last point is the
-    /// prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
-    /// points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
+    /// prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. creep_forces_into keeps
+    /// the points solved before.
     std::vector<stickslip_creep_force> creep_forces(const std::vector<stickslip_creep_point> &points,
         const Observe &observe = nullptr) {
-        std::vector<stickslip_creep_force> forces(points.size());
-        detail::Watch(observe).run([&](const stickslip_observer *observer) {
-            return stickslip_rolling_solver_creep_forces_observed(get(), points.data(), points.size(), observer,
-                forces.data());
-        });
+        std::vector<stickslip_creep_force> forces;
+        creep_forces_into(points, forces, observe);
         return forces;
+    }
+    /// Fills a vector like creep_forces. After a failure the vector contains the entries computed before.
+    void creep_forces_into(const std::vector<stickslip_creep_point> &points,
+        std::vector<stickslip_creep_force> &forces, const Observe &observe = nullptr) {
+        forces.assign(points.size(), {});
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return detail::kept(stickslip_rolling_solver_creep_forces_observed(get(), points.data(), points.size(),
+                observer, forces.data()), forces);
+        });
     }
     stickslip_rolling_solver *get() const { return own_.get(); }
 
@@ -353,8 +359,9 @@ inline stickslip_bentall_johnson bentall_johnson_cylinder(const HalfSpace &bodie
 }
 
 /// Computes Kalker's coefficients for an ellipse with the ratio a/b of the semi-axes along and across the rolling
-/// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Throws STICKSLIP_BELOW_MINIMUM for a ratio a/b
-/// outside this range or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
+/// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Throws STICKSLIP_NOT_POSITIVE if the ratio a/b is
+/// not positive and finite. Throws STICKSLIP_BELOW_MINIMUM for another ratio outside this range or a negative Poisson's
+/// ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
 inline stickslip_kalker kalker_coefficients(double ratio, double poisson_ratio) {
     stickslip_kalker found{};
     check(stickslip_kalker_coefficients(ratio, poisson_ratio, &found));

@@ -16,13 +16,30 @@ inline std::vector<double> sphere(const Grid &grid, double radius) {
     return gap;
 }
 
+/// Returns the gap between an ellipsoid with the radii of curvature radius_x and radius_y at the origin, and a plane.
+inline std::vector<double> ellipsoid(const Grid &grid, double radius_x, double radius_y) {
+    std::vector<double> gap(grid.nx * grid.ny);
+    check(stickslip_surface_ellipsoid(&grid, radius_x, radius_y, gap.data(), gap.size()));
+    return gap;
+}
+
+/// Returns the gap between a cylinder along y and a plane.
+inline std::vector<double> cylinder(const Grid &grid, double radius) {
+    std::vector<double> gap(grid.nx * grid.ny);
+    check(stickslip_surface_cylinder(&grid, radius, gap.data(), gap.size()));
+    return gap;
+}
+
 using SelfAffine = stickslip_self_affine;
 using Statistics = stickslip_statistics;
 
-/// Returns the heights of a random surface; its gap to a plane is a constant minus the height.
-inline std::vector<double> self_affine(const Grid &grid, const SelfAffine &surface) {
+/// Returns the heights of a random surface; its gap to a plane is a constant minus the height. The observer is called before
+/// each transform of the surface.
+inline std::vector<double> self_affine(const Grid &grid, const SelfAffine &surface, const Observe &observe = nullptr) {
     std::vector<double> heights(grid.nx * grid.ny);
-    check(stickslip_surface_self_affine(&grid, &surface, heights.data(), heights.size()));
+    detail::Watch(observe).run([&](const stickslip_observer *observer) {
+        return stickslip_surface_self_affine_observed(&grid, &surface, observer, heights.data(), heights.size());
+    });
     return heights;
 }
 
