@@ -9,6 +9,7 @@
  * Pointers. A pointer is NULL, or points to a value of its type for the duration of the call. The documentation of a function
  * states where NULL is allowed; elsewhere the call returns STICKSLIP_BAD_POINTER. An array has as many entries as the
  * accompanying count, and the library copies the data that it keeps. Output arguments need not be initialised.
+ * A function that fails to create an object sets its output to NULL, which every function that frees objects accepts.
  *
  * Objects. ..._new creates an object, and ..._free frees it once. Objects may be freed in any order, because no object refers
  * to another. Fields are read by pointer, without a copy: such a pointer is valid until the next call that changes or frees its
@@ -2728,7 +2729,7 @@ stickslip_status stickslip_tangential_solution_stiffness_observed(const sticksli
                                                                   stickslip_tangential_stiffness *stiffness);
 
 // Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
-// of 0 means the default: the value of RAYON_NUM_THREADS, or one thread for each processor if it is not set. With a count
+// of 0 means the default: the value of RAYON_NUM_THREADS at its first use, or one thread for each processor if it is not set. With a count
 // of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
 // are bitwise identical for any number of threads.
 //
