@@ -109,8 +109,8 @@ impl LayerCorrection {
     }
 
     /// Computes the integral of [`Self::over_cell`] at the points `(x, y)` of a row, with ascending `x >= 0`. The values
-    /// are as smooth along x as the kernels. If a piece of the row contains many points, the values at these points are
-    /// interpolated.
+    /// are as smooth along x as the kernels. If a piece of the row is many cells long, the values at its points are interpolated.
+    /// The choice does not depend on the end of the row, so that rows of all lengths have the same values.
     pub(crate) fn along_row(
         &self,
         component: Component,
@@ -119,11 +119,12 @@ impl LayerCorrection {
         y: f64,
         out: &mut [f64],
     ) {
+        let width = 2.0 * sides[0];
         let (mut done, mut ends) = (0, [0.0, 0.5 * self.scale.hypot(y)]);
         while done < xs.len() {
             let count = xs[done..].partition_point(|x| *x < ends[1]);
             let (xs, out) = (&xs[done..done + count], &mut out[done..done + count]);
-            if count > 2 * TERMS {
+            if ends[1] - ends[0] > (2 * TERMS) as f64 * width {
                 let nodes = nodes(ends);
                 let mut values = [0.0; TERMS];
                 self.at_each(component, sides, &nodes, y, &mut values);

@@ -1,12 +1,15 @@
 //! Factorised sparse approximate inverse of the operator on scattered moving cells.
 //!
-//! The inverse of the matrix of the moving cells is approximated by $`G'G`$ with a sparse lower triangular matrix $`G`$
-//! (Kolotilina & Yeremin, SIAM J. Matrix Anal. Appl. 14 (1993) 45, <https://doi.org/10.1137/0614004>). The row of a cell contains
-//! the cell and the moving cells among its [earlier neighbours](EARLIER). It solves the equations of these cells alone:
+//! The inverse of the matrix of the moving cells is approximated by $`G'WG`$ with a sparse unit lower triangular matrix $`G`$ and
+//! a diagonal matrix $`W`$ (Kolotilina & Yeremin, SIAM J. Matrix Anal. Appl. 14 (1993) 45, <https://doi.org/10.1137/0614004>). The
+//! row of a cell contains the cell and the moving cells among its [earlier neighbours](EARLIER). It solves the equations of these
+//! cells alone:
 //!
 //! ```math
-//! C_P\,y = e_i, \quad g = y / \sqrt{y_i} .
+//! C_P\,y = e_i, \quad g = y / y_i, \quad w = y_i .
 //! ```
+//!
+//! Without a square root, a change of units by powers of two causes no rounding.
 //!
 //! The coefficients depend only on the distance. Therefore the row depends only on the pattern of moving neighbours, and a table
 //! contains the rows of all patterns. In contrast to the circulant inverse, the rows depend on the edges of the contact. A
@@ -38,7 +41,7 @@ const EARLIER: [[i8; 2]; 10] = [
 ];
 /// Number of rows before or after the row of a cell that contain its neighbours.
 const REACH: usize = 2;
-/// Number of entries of a row of the factor. The last entry belongs to the cell itself.
+/// Number of entries of a row of the factor. The last entry is the weight of the row, because the entry of the cell itself is one.
 const ENTRIES: usize = EARLIER.len() + 1;
 /// Number of patterns of moving neighbours.
 const PATTERNS: usize = 1 << EARLIER.len();
@@ -115,26 +118,28 @@ fn row(coefficients: &[[f64; 5]; 3], pattern: usize) -> Result<[f64; ENTRIES]> {
     // The cell itself is the last of the listed cells.
     let listed = &listed[..=count];
     let place = |entry: usize| EARLIER.get(entry).copied().unwrap_or([0; 2]);
-    let mut factor = [[0.0; ENTRIES]; ENTRIES];
+    let (mut factor, mut pivots) = ([[0.0; ENTRIES]; ENTRIES], [0.0; ENTRIES]);
     for (p, &one) in listed.iter().enumerate() {
         for (q, &other) in listed[..=p].iter().enumerate() {
             let ([x, y], [u, v]) = (place(one), place(other));
             let coefficient = coefficients[usize::from(y.abs_diff(v))][usize::from(x.abs_diff(u))];
-            let known = (0..q).fold(coefficient, |sum, k| sum - factor[p][k] * factor[q][k]);
+            let known = (0..q).fold(coefficient, |sum, k| {
+                sum - factor[p][k] * factor[q][k] * pivots[k]
+            });
             if p > q {
-                factor[p][q] = known / factor[q][q];
+                factor[p][q] = known / pivots[q];
             } else {
-                factor[p][p] = positive("pivot of the coefficients of near cells", known)?.sqrt();
+                pivots[p] = positive("pivot of the coefficients of near cells", known)?;
             }
         }
     }
-    // With `C = L L'` the row is the last row of the inverse of `L`.
+    // With `C = L D L'` the row is the last row of the inverse of `L`, and the weight is the inverse of the last entry of `D`.
     let mut row = [0.0; ENTRIES];
-    for p in (0..=count).rev() {
-        let unit = if p == count { 1.0 } else { 0.0 };
-        let later = (p + 1..=count).fold(unit, |sum, k| sum - factor[k][p] * row[listed[k]]);
-        row[listed[p]] = later / factor[p][p];
+    row[EARLIER.len()] = 1.0;
+    for p in (0..count).rev() {
+        row[listed[p]] = (p + 1..=count).fold(0.0, |sum, k| sum - factor[k][p] * row[listed[k]]);
     }
+    row[EARLIER.len()] = 1.0 / pivots[count];
     Ok(row)
 }
 
@@ -205,7 +210,7 @@ impl<const N: usize> SparseInverse<N> {
     /// Computes the product with `direction` on the moving cells for which the scratch is [prepared](Self::prepare). `direction`
     /// must be zero on the other cells. Returns false if the ranks cannot exchange their rows.
     ///
-    /// Each moving cell multiplies its row by its value of $`G r`$, and adds the result to its earlier neighbours. The neighbours
+    /// Each moving cell multiplies its row by its value of $`W G r`$, and adds the result to its earlier neighbours. The neighbours
     /// of cells after a chunk may belong to the chunk. Therefore each chunk also visits these cells, but adds to its own cells
     /// only. The order of the additions does not depend on the chunks.
     pub(super) fn apply(
@@ -236,9 +241,9 @@ impl<const N: usize> SparseInverse<N> {
                     let sum = earlier(residual, cell, columns, |neighbours| {
                         neighbours.sum(|entry, residual| row[entry] * residual)
                     });
-                    let half = sum + row[EARLIER.len()] * residual[cell];
+                    let half = row[EARLIER.len()] * (sum + residual[cell]);
                     if let Some(own) = image.get_mut(place) {
-                        *own = row[EARLIER.len()] * half;
+                        *own = half;
                     }
                     add_to_earlier(row, half, place, columns, image);
                 }

@@ -108,15 +108,17 @@ fn ends_of_adjacent_rows_are_not_neighbours() {
     }
 }
 
-/// Among all factors with this pattern, the row minimises `g'Cg` for its diagonal entry. Therefore `G C G'` has a unit
-/// diagonal.
+/// Among all rows with this pattern and a unit last entry, the row minimises `g'Cg`, whose reciprocal is the weight. Therefore
+/// `W G C G'` has a unit diagonal.
 #[test]
-fn rows_have_unit_energy() {
+fn rows_have_least_energy() {
     let factors = SparseFactors::<1>::new(|_, x, y| coefficient(x, y));
     let [table] = factors.tables().unwrap();
     assert_eq!(table.len(), PATTERNS);
     let place = |entry: usize| EARLIER.get(entry).copied().unwrap_or([0; 2]);
     for (pattern, row) in table.iter().enumerate() {
+        let mut row = *row;
+        let weight = std::mem::replace(&mut row[EARLIER.len()], 1.0);
         for entry in 0..ENTRIES {
             let product: f64 = (0..ENTRIES)
                 .map(|other| {
@@ -128,11 +130,24 @@ fn rows_have_unit_energy() {
             if pattern >> entry & 1 == 1 && !is_own {
                 assert!(product.abs() < 1e-12, "pattern {pattern}, entry {entry}");
             } else if is_own {
-                assert!((product * row[entry] - 1.0).abs() < 1e-12);
+                assert!((product * weight - 1.0).abs() < 1e-12);
             } else {
                 assert!(row[entry].abs() < f64::MIN_POSITIVE);
             }
         }
+    }
+}
+
+/// A change of units by a power of two scales the weights without rounding.
+#[test]
+fn rows_do_not_depend_on_units() {
+    let factors =
+        [1.0, 8.0].map(|unit| SparseFactors::<1>::new(|_, x, y| unit * coefficient(x, y)));
+    let [[one], [other]] = factors.each_ref().map(|factors| factors.tables().unwrap());
+    for (one, other) in one.iter().zip(other) {
+        let mut scaled = *other;
+        scaled[EARLIER.len()] *= 8.0;
+        assert_eq!(one, &scaled);
     }
 }
 
@@ -280,13 +295,16 @@ fn product_by_cells([columns, rows]: [usize; 2], moves: &[bool], direction: &[f6
             bits | usize::from(place.is_some()) << bit
         });
         let places = neighbours.into_iter().chain([Some(cell)]);
-        let entries = table[pattern].into_iter().zip(places);
+        let mut row = table[pattern];
+        let weight = std::mem::replace(&mut row[EARLIER.len()], 1.0);
+        let entries = row.into_iter().zip(places);
         let entries: Vec<_> = entries
             .filter_map(|(entry, place)| Some((entry, place?)))
             .collect();
-        let half = entries
+        let sum = entries
             .iter()
             .fold(0.0, |sum, (entry, place)| sum + entry * direction[*place]);
+        let half = weight * sum;
         for (entry, place) in entries {
             image[place] += entry * half;
         }
