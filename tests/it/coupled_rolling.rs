@@ -1,6 +1,8 @@
 //! Rolling of dissimilar bodies with full coupling of pressure and traction. The tests compare solutions with numbers
 //! of CONTACT, closed forms and limits. They also check that errors are below the reported estimates.
 
+use std::ops::ControlFlow;
+
 use proptest::prelude::*;
 use stickslip::analytical::{BentallJohnson, HertzLine};
 use stickslip::history::{EntryRule, Rolling};
@@ -453,4 +455,55 @@ fn loads_of_coupled_rolling_are_set_together() {
     solver.set_normal_load(NormalLoad::Force(0.5)).unwrap();
     assert_eq!(together, kit::solved(&mut solver));
     assert!((together.normal().force() - 0.5).abs() < 1e-9);
+}
+
+/// A solve can be cancelled before any product. The tractions of its iterate are within the friction limits of its pressure,
+/// also if the buffer contained the solution under another load.
+#[test]
+fn cancelled_coupled_rolling_is_within_friction_limits() {
+    let pressed = ball_problem(16, 0.1);
+    let coefficient = 0.2;
+    let builder = coupled_builder(&pressed, coefficient).creepage([0.1, -0.05]);
+    let solver = || kit::solver(builder.clone().tolerance(1e-6));
+    let mut calls = 0;
+    let mut larger = solver();
+    let mut earlier = larger.new_solution();
+    let counted = larger.solve_observed(&mut earlier, |_| {
+        calls += 1;
+        ControlFlow::Continue(())
+    });
+    counted.unwrap();
+    let (_, _, NormalLoad::Force(force)) = pressed else {
+        panic!("the load is not a force");
+    };
+    let mut checked = 0;
+    for last in 1..calls {
+        for (load, mut found) in [(1.0, larger.new_solution()), (0.7, earlier.clone())] {
+            let (mut solver, mut count) = (solver(), 0);
+            solver
+                .set_normal_load(NormalLoad::Force(load * force))
+                .unwrap();
+            let outcome = solver.solve_observed(&mut found, |_| {
+                count += 1;
+                if count < last {
+                    ControlFlow::Continue(())
+                } else {
+                    ControlFlow::Break(())
+                }
+            });
+            if outcome.is_ok() {
+                continue;
+            }
+            checked += 1;
+            let [x, y] = found.rolling().traction();
+            for (cell, &pressure) in found.normal().pressure().iter().enumerate() {
+                let traction = x.as_slice()[cell].hypot(y.as_slice()[cell]);
+                let limit = coefficient * pressure * (1.0 + 1e-12);
+                assert!(traction <= limit, "call {last}, cell {cell}: {traction:e}");
+                let is_apart = found.rolling().zones()[cell] == Zone::Separated;
+                assert_eq!(is_apart, pressure == 0.0, "call {last}, cell {cell}");
+            }
+        }
+    }
+    assert!(checked > 20, "{checked} solves were cancelled");
 }

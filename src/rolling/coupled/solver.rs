@@ -284,6 +284,8 @@ impl CoupledRollingSolver {
         self.engine.report.normal.add_pass(report);
         add_counts(&mut self.engine.report.work, report);
         if pass.failure.is_some() {
+            let (normal, rolling) = (&solution.normal, &mut solution.rolling);
+            rolling.restrict_to(&self.problem.friction, normal.pressure());
             return Ok(pass);
         }
         // A half that has stalled within the tolerance counts as converged.

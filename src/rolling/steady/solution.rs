@@ -13,7 +13,7 @@ use crate::parallel::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
 use crate::support::debug::shown;
-use crate::tangential::{Zone, centre, is_at_limit};
+use crate::tangential::{Friction, Zone, centre, is_at_limit};
 use crate::warning::Warning;
 
 record! {
@@ -122,6 +122,27 @@ impl RollingSolution {
             self.zones[index] = if is_at_limit { Zone::Slip } else { Zone::Stick };
         }
         self
+    }
+
+    /// Reduces tractions beyond the friction limits of a new pressure to the limits. Cells without pressure become separated.
+    pub(in crate::rolling) fn restrict_to(&mut self, friction: &Friction, pressure: &Field) {
+        let ([x, y], [slip_x, slip_y]) = (&mut self.traction, &mut self.slip);
+        let [x, y, slip_x, slip_y] = [x, y, slip_x, slip_y].map(Field::as_mut_slice);
+        for (cell, (zone, &pressure)) in self.zones.iter_mut().zip(pressure.as_slice()).enumerate()
+        {
+            let (limit, size) = (friction.limit(cell, pressure), x[cell].hypot(y[cell]));
+            if pressure <= 0.0 {
+                (x[cell], y[cell]) = (0.0, 0.0);
+                (slip_x[cell], slip_y[cell]) = (0.0, 0.0);
+                *zone = Zone::Separated;
+            } else if size > limit {
+                x[cell] *= limit / size;
+                y[cell] *= limit / size;
+                *zone = Zone::Slip;
+            } else if *zone == Zone::Separated {
+                *zone = Zone::Stick;
+            }
+        }
     }
 
     pub(in crate::rolling) fn set_motion(
