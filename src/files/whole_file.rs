@@ -1,7 +1,7 @@
 //! Files that are renamed to their target when they are complete. They are written by one process or by several ranks together.
 
-use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Result as IoResult, Write};
+use std::fs::{File, OpenOptions, canonicalize, metadata, set_permissions};
+use std::io::{Error as IoError, ErrorKind, Result as IoResult, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -12,32 +12,54 @@ use crate::parallel::ranks::RankGroup;
 /// Temporary file next to the target file, `NAME.PID.NUMBER.part`. It is removed unless it replaces the target.
 #[derive(Debug)]
 pub(crate) struct PartialFile<'a> {
-    target: &'a Path,
+    /// Path of the target in messages.
+    named: &'a Path,
+    /// Target, to which a symbolic link is followed.
+    target: PathBuf,
     path: PathBuf,
     /// Identifier composed of the process and a number.
     id: u64,
 }
 
 impl<'a> PartialFile<'a> {
-    /// Creates a temporary file with a name that no other thread or process uses.
-    pub(crate) fn beside(target: &'a Path) -> Result<Self> {
+    /// Creates a temporary file with a name that no other thread or process uses. A target that is not a regular file, such as a
+    /// device, is rejected, because the renaming would replace it.
+    pub(crate) fn beside(named: &'a Path) -> Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
+        if metadata(named).is_ok_and(|target| !target.is_file()) {
+            let problem = IoError::new(ErrorKind::InvalidInput, "the path is not a regular file");
+            return Err(refused(named, problem));
+        }
+        let target = followed(named);
         loop {
             let number = NUMBER.fetch_add(1, Ordering::Relaxed);
             let id = u64::from(std::process::id()) << 32 | u64::from(number);
-            let path = Self::path(target, id);
+            let path = Self::path(&target, id);
             match File::create_new(&path) {
-                Ok(_) => return Ok(Self { target, path, id }),
+                Ok(_) => {
+                    return Ok(Self {
+                        named,
+                        target,
+                        path,
+                        id,
+                    });
+                }
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(refused(target, error)),
+                Err(error) => return Err(refused(named, error)),
             }
         }
     }
 
     /// Returns the temporary file that a different rank has created.
-    fn of_another(target: &'a Path, id: u64) -> Self {
-        let path = Self::path(target, id);
-        Self { target, path, id }
+    fn of_another(named: &'a Path, id: u64) -> Self {
+        let target = followed(named);
+        let path = Self::path(&target, id);
+        Self {
+            named,
+            target,
+            path,
+            id,
+        }
     }
 
     fn path(target: &Path, id: u64) -> PathBuf {
@@ -50,19 +72,23 @@ impl<'a> PartialFile<'a> {
     /// Opens the file for writing.
     pub(crate) fn open(&self) -> Result<File> {
         let file = OpenOptions::new().write(true).open(&self.path);
-        file.map_err(|error| refused(self.target, error))
+        file.map_err(|error| refused(self.named, error))
     }
 
     /// Writes to the file and flushes it to the disk.
     pub(crate) fn write(&self, write: impl FnOnce(&mut File) -> IoResult<()>) -> Result<()> {
         let mut file = self.open()?;
         let written = write(&mut file).and_then(|()| file.sync_all());
-        written.map_err(|error| refused(self.target, error))
+        written.map_err(|error| refused(self.named, error))
     }
 
-    /// Renames the file to the target and flushes the renaming to the disk.
+    /// Renames the file to the target, whose permissions it keeps, and flushes the renaming to the disk.
     pub(crate) fn take_name(&self) -> Result<()> {
-        std::fs::rename(&self.path, self.target).map_err(|error| refused(self.target, error))?;
+        if let Ok(target) = metadata(&self.target) {
+            // Some file systems have no permissions.
+            drop(set_permissions(&self.path, target.permissions()));
+        }
+        std::fs::rename(&self.path, &self.target).map_err(|error| refused(self.named, error))?;
         // Some systems cannot open a folder.
         let folder = self.target.parent();
         let folder = folder.filter(|folder| !folder.as_os_str().is_empty());
@@ -71,6 +97,11 @@ impl<'a> PartialFile<'a> {
         }
         Ok(())
     }
+}
+
+/// Returns the path of an existing file without symbolic links, or the path itself.
+fn followed(path: &Path) -> PathBuf {
+    canonicalize(path).unwrap_or_else(|_| path.to_owned())
 }
 
 impl Drop for PartialFile<'_> {
@@ -124,6 +155,29 @@ mod tests {
     use super::*;
     use crate::error::{Error, RankFailure};
     use crate::parallel::ranks::{Ranks, Threads};
+
+    /// A file that a link names is replaced, with its permissions. A path that is not a file is rejected.
+    #[cfg(unix)]
+    #[test]
+    fn links_and_permissions_are_kept() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = format!("stickslip_links_{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).unwrap();
+        let (file, link) = (folder.join("file"), folder.join("link"));
+        std::fs::write(&file, b"old").unwrap();
+        set_permissions(&file, std::fs::Permissions::from_mode(0o600)).unwrap();
+        symlink(&file, &link).unwrap();
+        replace_bytes(&link, b"new").unwrap();
+        assert_eq!(std::fs::read(&file).unwrap(), b"new");
+        assert!(link.is_symlink());
+        assert_eq!(metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
+        for other in [&folder, Path::new("/dev/null")] {
+            let error = replace_bytes(other, b"new").unwrap_err();
+            assert!(matches!(error, Error::File { .. }), "{error}");
+        }
+        std::fs::remove_dir_all(folder).unwrap();
+    }
 
     /// The disk is full for one rank after the other ranks have written all of their bytes.
     #[test]

@@ -3551,7 +3551,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_stiffness_observed
 
-        ! Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
+        ! Sets the number of threads, at most 1024, that solve batches and contacts of more than 4096 cells, starting with the next call. A count
         ! of 0 means the default: the value of RAYON_NUM_THREADS at its first use, or one thread for each processor if it is not set. With a count
         ! of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
         ! are bitwise identical for any number of threads.

@@ -2728,7 +2728,7 @@ stickslip_status stickslip_tangential_solution_stiffness_observed(const sticksli
                                                                   const stickslip_observer *observer,
                                                                   stickslip_tangential_stiffness *stiffness);
 
-// Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
+// Sets the number of threads, at most 1024, that solve batches and contacts of more than 4096 cells, starting with the next call. A count
 // of 0 means the default: the value of RAYON_NUM_THREADS at its first use, or one thread for each processor if it is not set. With a count
 // of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
 // are bitwise identical for any number of threads.

@@ -14,6 +14,9 @@ use crate::call::{Outcome, call};
 use crate::error::Failure;
 use crate::status::{STICKSLIP_NO_THREADS, stickslip_status};
 
+/// Largest number of threads. More threads than cores take time to start and save none.
+const MOST_THREADS: usize = 1024;
+
 /// Requested number of threads; 0 for the default.
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
@@ -106,7 +109,7 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
     }
 }
 
-/// Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
+/// Sets the number of threads, at most 1024, that solve batches and contacts of more than 4096 cells, starting with the next call. A count
 /// of 0 means the default: the value of RAYON_NUM_THREADS at its first use, or one thread for each processor if it is not set. With a count
 /// of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
 /// are bitwise identical for any number of threads.
@@ -115,9 +118,8 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_set_num_threads(count: usize) -> stickslip_status {
     call(|| {
-        if count > rayon::max_num_threads() {
-            let most = rayon::max_num_threads();
-            let problem = format!("give at most {most}, or 0 for the default");
+        if count > MOST_THREADS {
+            let problem = format!("give at most {MOST_THREADS}, or 0 for the default");
             return Err(none(count, &problem));
         }
         Pools::of_this_process().pool(threads(count))?;

@@ -135,7 +135,11 @@ static void bad_input_is_refused(void) {
     CHECK(stickslip_normal_solver_new(bodies, ball, CELLS - 1, &load, NULL, NULL, &solver) == STICKSLIP_LENGTH);
     OK(stickslip_last_error(&error));
     CHECK(error.expected == CELLS && error.found == CELLS - 1);
+    /* The output of a failed call can be freed. */
+    solver = misaligned(&solver);
     CHECK(stickslip_normal_solver_new(bodies, NULL, CELLS, &load, NULL, NULL, &solver) == STICKSLIP_BAD_POINTER);
+    CHECK(solver == NULL);
+    CHECK(stickslip_set_num_threads(1025) == STICKSLIP_NO_THREADS);
     CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &nan_load, NULL, NULL, &solver) == STICKSLIP_NEGATIVE_OR_NOT_FINITE);
     stickslip_normal_load shift_load = {STICKSLIP_SHIFT, 1e-6}, hold = {STICKSLIP_HOLD, 0.0};
     CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &shift_load, NULL, NULL, &solver) == STICKSLIP_UNKNOWN_OPTION);

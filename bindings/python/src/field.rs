@@ -18,7 +18,7 @@ use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{
     Count, by_axis, check_coordinates, in_axes, is_no_mask, is_no_truth_value, is_real, misshapen,
-    plane, shape_error, wrong_type,
+    plane, shape_error, unnamed, wrong_type,
 };
 use crate::unit::{Unit, factor, is_same, known, of_next_gap, one_of};
 use crate::xarray::only_first_operand;
@@ -275,6 +275,21 @@ impl Field {
         inputs: Vec<Bound<'py, PyAny>>,
         kwargs: Option<Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let output = kwargs
+            .as_ref()
+            .and_then(|kwargs| kwargs.get_item("out").ok().flatten());
+        let outputs = output.map(|output| output.try_iter()?.collect::<PyResult<Vec<_>>>());
+        let is_changed = |place: &Bound<'py, PyAny>| place.cast::<Self>().is_ok();
+        let is_output = outputs
+            .transpose()?
+            .is_some_and(|all| all.iter().any(is_changed));
+        if is_output || method == "at" && inputs.first().is_some_and(is_changed) {
+            return Err(unnamed(
+                slf.py(),
+                "ArgumentType",
+                "a Field does not change: give numpy.array(field), a copy, as the output",
+            ));
+        }
         let name: String = ufunc.getattr("__name__")?.extract()?;
         if let ("__call__", [left, right], None) = (method, &inputs[..], &kwargs) {
             let reflected = match &name[..] {

@@ -22,6 +22,9 @@ struct Owned {
 /// taken during a fork.
 static POOL: Mutex<Option<Owned>> = Mutex::new(None);
 
+/// Largest number of threads. More threads than cores take time to start and save none.
+const MOST_THREADS: usize = 1024;
+
 impl Owned {
     fn new(threads: usize) -> PyResult<Self> {
         let builder = ThreadPoolBuilder::new().num_threads(threads);
@@ -122,7 +125,7 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 /// Parameters
 /// ----------
 /// threads : int
-///     Number of threads, at least 1. For the number of cores give ``os.cpu_count()``.
+///     Number of threads, from 1 to 1024. For the number of cores give ``os.cpu_count()``.
 ///
 /// Raises
 /// ------
@@ -143,6 +146,12 @@ pub(crate) fn set_num_threads(py: Python<'_>, threads: Whole) -> PyResult<()> {
         );
         return Err(out_of_range(py, "threads", &message));
     };
+    if threads > MOST_THREADS {
+        let message = format!(
+            "must be at most {MOST_THREADS}, got {threads}: for the number of cores give os.cpu_count()"
+        );
+        return Err(out_of_range(py, "threads", &message));
+    }
     let owned = Owned::new(threads)?;
     owned.put(&mut POOL.lock().unwrap_or_else(PoisonError::into_inner));
     Ok(())

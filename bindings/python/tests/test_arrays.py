@@ -27,6 +27,23 @@ def test_solution_arrays_are_views(scene):
     assert pressure.sum() == total
 
 
+def test_field_is_no_output_of_numpy():
+    field = ss.Field(ss.Grid(3, 2, 1.0, 1.0), np.ones((2, 3)))
+    for change in (
+        lambda: np.add.at(field, (0, 0), 1.0),
+        lambda: np.add(np.ones((2, 3)), 1.0, out=field),
+        lambda: np.negative(field, out=field),
+    ):
+        with pytest.raises(ss.errors.ArgumentType, match="a Field does not change"):
+            change()
+    assert np.array_equal(field, np.ones((2, 3)))
+
+
+def test_thousands_of_threads_are_rejected():
+    with pytest.raises(ss.errors.ArgumentRange, match="at most 1024, got 10000"):
+        ss.set_num_threads(10_000)
+
+
 def test_field_argument_is_shared_not_copied(scene):
     values = np.random.default_rng(1).random(scene.grid.shape)
     field = ss.Field(scene.grid, values)

@@ -8824,7 +8824,7 @@ def set_num_threads(threads: int) -> None:
     Parameters
     ----------
     threads : int
-        Number of threads, at least 1. For the number of cores give ``os.cpu_count()``.
+        Number of threads, from 1 to 1024. For the number of cores give ``os.cpu_count()``.
 
     Raises
     ------

@@ -22,6 +22,9 @@ class ContactWarning(UserWarning):
 
     The argument ``warn=False`` of a solve or a step suppresses them; ``warnings.simplefilter("ignore", ContactWarning)``
     hides all of them.
+
+    A warning is issued after its solve or step. If ``warnings.simplefilter("error", ContactWarning)`` turns it into an
+    exception, the step is therefore taken: do not repeat it.
     """
 
 
