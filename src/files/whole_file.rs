@@ -22,11 +22,11 @@ pub(crate) struct PartialFile<'a> {
 }
 
 impl<'a> PartialFile<'a> {
-    /// Creates a temporary file with a name that no other thread or process uses. A target that is not a regular file, such as a
-    /// device, is rejected, because the renaming would replace it.
+    /// Creates a temporary file with a name that no other thread or process uses. A device or a pipe is rejected, because the
+    /// renaming would replace it. The renaming itself rejects a folder.
     pub(crate) fn beside(named: &'a Path) -> Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
-        if metadata(named).is_ok_and(|target| !target.is_file()) {
+        if metadata(named).is_ok_and(|target| !target.is_file() && !target.is_dir()) {
             let problem = IoError::new(ErrorKind::InvalidInput, "the path is not a regular file");
             return Err(refused(named, problem));
         }
