@@ -49,9 +49,10 @@ for report in reports:
 # %% Tangential load
 # Pressing alone shears bodies of different materials, and the stick zone depends on the growth of the contact. ``press``
 # therefore takes as many steps as a tolerance of the tractions requires. The contact is then sheared by half of the force
-# of sliding. With one-way coupling, the pressure equals the pressure without friction.
+# of sliding. With one-way coupling, the pressure equals the pressure without friction. The vector model includes the tractions
+# across the force, which the pressure causes.
 
-history = ss.History(bodies, gap, 0.3, coupling="one_way", tolerance=1e-6)
+history = ss.History(bodies, gap, 0.3, coupling="one_way", model="vector", tolerance=1e-6)
 with warnings.catch_warnings():
     # During pressing, the slip rings are narrower than two cells, as a warning states.
     warnings.simplefilter("ignore", ss.errors.ContactWarning)
