@@ -458,7 +458,7 @@ fn loads_of_coupled_rolling_are_set_together() {
 }
 
 /// A solve can be cancelled before any product. The tractions of its iterate are within the friction limits of its pressure,
-/// also if the buffer contained the solution under another load.
+/// also if the buffer contained the solution under a different load.
 #[test]
 fn cancelled_coupled_rolling_is_within_friction_limits() {
     let pressed = ball_problem(16, 0.1);

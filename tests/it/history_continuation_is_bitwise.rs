@@ -368,7 +368,8 @@ pub(crate) fn some_scenes() -> Vec<Scene> {
 
 /// Returns the scenes that are distributed over ranks.
 pub(crate) fn shared_scenes() -> Vec<Scene> {
-    let times = kit::thorough(4, 6);
+    // On finer grids, rows of coefficients of coated bodies contain pieces that are interpolated.
+    let times = kit::thorough(5, 6);
     let scenes = some_scenes();
     let mut scenes: Vec<_> = scenes.iter().map(|scene| refined(scene, times)).collect();
     // Ranks do not roll.

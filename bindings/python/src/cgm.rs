@@ -138,7 +138,7 @@ picklable!(Minimum: Found);
 /// GridMismatch
 ///     If a field or the preconditioner is on a grid that differs from that of the operator, or if the grids of two fields differ.
 /// Shape
-///     If the shape of an array is not that of this grid, for example because the array is transposed.
+///     If an array does not have the shape of this grid, for example because the array is transposed.
 ///
 /// Examples
 /// --------

@@ -8642,7 +8642,7 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
     GridMismatch
         If a field or the preconditioner is on a grid that differs from that of the operator, or if the grids of two fields differ.
     Shape
-        If the shape of an array is not that of this grid, for example because the array is transposed.
+        If an array does not have the shape of this grid, for example because the array is transposed.
 
     Examples
     --------
