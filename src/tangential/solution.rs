@@ -151,9 +151,8 @@ impl TangentialSolution {
             Warning::shift_beyond(self.grid(), [largest, 0.0])
         });
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
-        self.hides_slip = self.slip_cells() == 0
-            && self.friction_tenths.is_none()
-            && answer.with_held(|answer| answer.hides_slip(answer.traction));
+        self.hides_slip = self.friction_tenths.is_none()
+            && answer.with_held(|answer| answer.hides_slip(|cell| answer.traction(cell)));
     }
 
     /// Sets Dundurs' beta if the solution belongs to a coupled solution, in which the tractions have changed the

@@ -162,12 +162,15 @@ impl<'a> StepSolution<'a> {
         })
     }
 
-    /// Returns whether a step in which no cell slips has a slip zone inside its outermost cells. `change` is the change of the
-    /// tractions in the step. The pressure falls to zero at such an edge, whereas the tractions of full stick grow. The solution
-    /// must be in the local cells of the grid. The function is collective.
-    pub(crate) fn hides_slip(&self, change: [&[f64]; 2]) -> bool {
+    /// Returns whether no cell slips although the step has a slip zone inside its outermost cells. `change` returns the change of
+    /// the traction of a cell in the step. The pressure falls to zero at such an edge, whereas the tractions of full stick grow.
+    /// The solution must be in the local cells of the grid. The function is collective.
+    pub(crate) fn hides_slip(&self, change: impl Fn(usize) -> [f64; 2] + Sync) -> bool {
         let layout = self.region.held_layout();
-        let size = |cell: usize| length(at(&change, cell));
+        if reduce::any(&layout, |cell| self.zone(cell) == Zone::Slip) {
+            return false;
+        }
+        let size = |cell: usize| length(change(cell));
         let (traction, (capacity, pressure), cells) = reduce::sum(&layout, |cell| {
             let (limit, pressure) = (self.limits[cell], self.pressure[cell]);
             (size(cell), (limit, pressure), usize::from(pressure > 0.0))

@@ -451,6 +451,40 @@ fn hidden_slip_ring_in_history_gives_warning() {
     }
 }
 
+/// Dissimilar bodies that are pressed together have the warning for either coupling. A step that holds the load does not.
+#[test]
+fn hidden_slip_ring_of_dissimilar_bodies_gives_warning() {
+    let grid = kit::square(32, 2.8);
+    let aluminium = Material::new(0.64, 0.33).unwrap();
+    let steel = Material::new(1.92, 0.3).unwrap();
+    let pair = ElasticPair::new(aluminium, steel).unwrap();
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    for coupling in [Coupling::OneWay, Coupling::Full] {
+        let builder = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.35));
+        let builder = builder.model(TangentialModel::Vector).coupling(coupling);
+        let mut history = builder.build().unwrap();
+        let press = LoadStep::hold().normal(NormalLoad::Force(load));
+        history.press(&press, 0.02).unwrap();
+        for (step, widths) in [
+            (None, &[0][..]),
+            (Some(LoadStep::hold()), &[]),
+            (Some(LoadStep::force([1e-3 * load, 0.0])), &[0]),
+        ] {
+            if let Some(step) = step {
+                history.step(&step).unwrap();
+            }
+            let result = history.last_step().unwrap();
+            assert_eq!(result.stick_ratio(), 1.0);
+            assert_eq!(
+                slip_widths(&result.warnings()),
+                widths,
+                "{coupling:?} {step:?}"
+            );
+        }
+    }
+}
+
 /// A cycle has the warning until one of its steps has a wide slip zone. The slip zone of a sliding contact is wide.
 #[test]
 fn hidden_slip_ring_in_cycle_gives_warning_until_contact_slides() {

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::cgm::reduce::Reduction;
+use crate::grid::field::Field;
 use crate::history::state::State;
 use crate::history::state::mark::StateMark;
 use crate::history::state::memory::Memory;
@@ -87,6 +88,7 @@ impl History {
             step.clear_fields();
             self.written = window;
         }
+        let hides_slip = travel.is_none() && hides_slip(found, state, step);
         if let Some(travel) = travel {
             // The trend of the next step describes the tractions of cells, not of particles.
             state.keep_traction(travel, before);
@@ -95,7 +97,7 @@ impl History {
         commit_tractions(found, motion, travel.as_ref(), state, step);
         let rolled = load.rolling().zip(*travel);
         step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
-        step.remarks.resolution = resolution_of_zones(found, state, step, travel.is_some());
+        step.remarks.resolution = resolution_of_zones(state, step, hides_slip, travel.is_some());
         if let (Some(before), None) = (before, travel) {
             let layout = bodies.grid_layout();
             step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
@@ -128,20 +130,28 @@ impl History {
     }
 }
 
-/// Returns the resolution of the contact and of its stick and slip zones.
+/// Returns whether a step has a slip zone inside its outermost cells although no cell slips. The state has the tractions before
+/// the step.
+fn hides_slip(found: Option<StepSolution<'_>>, state: &State, step: &StepResult) -> bool {
+    step.remarks.friction_tenths.is_none()
+        && found.is_some_and(|found| {
+            found.with_held(|found| {
+                let held = found.region.held();
+                let before = state.traction.each_ref().map(Field::as_slice);
+                found.hides_slip(|cell| minus(found.traction(cell), at(&before, held.index(cell))))
+            })
+        })
+}
+
+/// Returns the resolution of the contact and of its stick and slip zones. A rolled contact without slipping cells has almost the
+/// forces of full stick, so it hides no slip.
 fn resolution_of_zones(
-    found: Option<StepSolution<'_>>,
     state: &State,
     step: &StepResult,
+    hides_slip: bool,
     is_rolling: bool,
 ) -> Resolution {
     let zones = [step.stick_cells, step.slip_cells];
-    // A rolled contact without slipping cells has almost the forces of full stick.
-    let can_hide_slip = !is_rolling && zones[1] == 0 && step.remarks.friction_tenths.is_none();
-    let stuck = found.zip(state.contact.as_ref()).filter(|_| can_hide_slip);
-    let hides_slip = stuck.is_some_and(|(found, memory)| {
-        found.with_held(|found| found.hides_slip(slices(&memory.trend.change)))
-    });
     let resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1]).with_zones(
         zones,
         hides_slip,
