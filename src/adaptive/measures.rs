@@ -49,8 +49,21 @@ impl Quantity {
     }
 
     /// Returns whether the error is an integral over the cells, in which errors of different signs do not cancel.
-    pub(super) fn is_field(self) -> bool {
-        matches!(self, Self::Pressure | Self::Traction)
+    fn is_field(self) -> bool {
+        self.field_of_number().is_none()
+    }
+
+    /// Returns the field on which a number depends, and the error of the number relative to the error of this field. The error was
+    /// at most 1.53 (area), 0.07 (approach), 0.41 (stick ratio) and 0.03 (shift) times the error of the field in 421 random
+    /// contacts on two grids.
+    pub(super) fn field_of_number(self) -> Option<(Self, f64)> {
+        match self {
+            Self::Pressure | Self::Traction => None,
+            Self::Area => Some((Self::Pressure, 1.0)),
+            Self::Approach | Self::Force => Some((Self::Pressure, 0.2)),
+            Self::StickRatio => Some((Self::Traction, 0.5)),
+            Self::Shift => Some((Self::Traction, 0.05)),
+        }
     }
 
     /// Returns the order of convergence that the estimates assume.

@@ -32,7 +32,7 @@ const ORDER: f64 = 1.7;
 const SOLVER_SHARE: f64 = 0.02;
 /// Limits of the tolerance of a solve.
 const TOLERANCES: [f64; 2] = [1e-9, 1e-3];
-/// Factor of the estimated error of a number (not a field) if only two grids were solved.
+/// Factor of the difference of a number (not a field) in its estimated error if only two grids were solved.
 const FEW_GRIDS: f64 = 3.0;
 /// Number of extents after which the next extent is the whole region.
 const MOST_EXTENTS: usize = 12;
@@ -259,16 +259,19 @@ impl OneGrid {
         };
         let growth = cells(&self.measures) / cells(coarse);
         let unresolved = self.unresolved(problem)?;
-        let estimate = |quantity: Quantity| {
+        let from_difference = |quantity: Quantity| {
             let difference = self.measures.difference(coarse, quantity)?;
-            let mut error = difference / (growth.powf(quantity.order()) - 1.0);
-            // A number can agree on two grids by chance.
+            Ok(difference / (growth.powf(quantity.order()) - 1.0))
+        };
+        let estimate = |quantity: Quantity| {
+            let mut error = from_difference(quantity)?;
             let earlier = previous.iter().find(|earlier| earlier.quantity == quantity);
-            error = match earlier {
-                Some(earlier) => error.max(earlier.error / growth.powf(ORDER)),
-                None if quantity.is_field() => error,
-                None => FEW_GRIDS * error,
-            };
+            if let Some(earlier) = earlier {
+                error = error.max(earlier.error / growth.powf(ORDER));
+            } else if let Some((field, part)) = quantity.field_of_number() {
+                // A number can agree on two grids by chance, whereas a field cannot.
+                error = (FEW_GRIDS * error).max(part * from_difference(field)?);
+            }
             if matches!(quantity, Quantity::Pressure) {
                 error = error.max(unresolved);
             }

@@ -351,10 +351,13 @@ fn warnings_include_those_of_the_tangential_contact() {
     assert_eq!(step, [true; 3]);
 }
 
+/// Contacts whose areas on the first two grids agree by chance.
+const EQUAL_AREAS: [u64; 2] = [788_797_271, 788_797_525];
+
 /// The campaign runs a thousand of these scenes and limits the share of errors above their target.
 #[test]
 fn random_contacts_reach_their_targets() {
-    for seed in 0..kit::thorough(4, 40) {
+    for seed in (0..kit::thorough(4, 40)).chain(EQUAL_AREAS) {
         let scene = TargetScene::random(seed).unwrap();
         let (found, reference) = (scene.solve(1.0).unwrap(), scene.solve(0.1).unwrap());
         assert_eq!(found.status(), AdaptiveStatus::Reached);
