@@ -124,6 +124,41 @@ fn contact_outgrowing_its_window_costs_as_much_as_cold_solve() {
     }
 }
 
+/// A solve that unloads a large contact far starts like a first solve. Smaller changes start from the last pressure.
+#[test]
+fn far_unloading_of_large_contact_starts_like_a_first_solve() {
+    let grid = kit::square(160, 2.2);
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = kit::sphere(grid, 10.0);
+    let solver = |load| solved(&bodies, &ball, load);
+    let force = 4.0 / 30.0;
+    let approach = |part: f64| solver(NormalLoad::Force(part * force)).1.approach();
+    for (part, is_far) in [(0.3, true), (0.8, false)] {
+        for [first, load] in [
+            [force, part * force].map(NormalLoad::Force),
+            [approach(1.0), approach(part)].map(NormalLoad::Approach),
+        ] {
+            let (mut press, mut contact) = solver(first);
+            press.set_load(load).unwrap();
+            press.solve_into(&mut contact).unwrap();
+            let (_, cold) = solver(load);
+            let is_same = contact.pressure() == cold.pressure();
+            assert_eq!(is_same, is_far, "{load:?}");
+            assert!((contact.force() / cold.force() - 1.0).abs() < 1e-6);
+            if is_far {
+                assert_eq!(contact.report().products(), cold.report().products());
+            }
+        }
+    }
+    // A history starts its steps in the same way.
+    let mut history = history(&bodies, &ball);
+    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
+    history.step(&press(force)).unwrap();
+    history.step(&press(0.3 * force)).unwrap();
+    let (_, cold) = solver(NormalLoad::Force(0.3 * force));
+    assert_eq!(history.pressure(), cold.pressure());
+}
+
 #[test]
 fn pressure_under_same_load_is_not_solved_again() {
     for (bodies, gap, force) in scenes() {

@@ -79,8 +79,7 @@ impl History {
         step.remarks.cap_parts = found.and_then(|found| found.low_cap(&state.friction));
         step.remarks.coupling_per_cent =
             found.and_then(|found| found.neglected_traction(bodies, state.coupling));
-        let moved = motion.since(state.motion);
-        let (moved, twisted) = (moved.shift, moved.twist);
+        let RigidMotion { shift, twist } = motion.since(state.motion);
         let before = candidate.held().map(NormalSolution::pressure);
         // After a return to an earlier state, the window may differ from the window of the last step.
         let window = found.map(|found| found.region.window());
@@ -96,7 +95,7 @@ impl History {
         }
         commit_tractions(found, motion, travel.as_ref(), state, step);
         let rolled = load.rolling().zip(*travel);
-        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
+        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, shift, travel.length));
         step.remarks.resolution = resolution_of_zones(state, step, hides_slip, travel.is_some());
         if let (Some(before), None) = (before, travel) {
             let layout = bodies.grid_layout();
@@ -117,8 +116,8 @@ impl History {
         }
         if travel.is_none() && !step.remarks.is_apart {
             step.remarks.shift_tenths =
-                Warning::shift_beyond(state.grid(), moved).max(displacement_tenths);
-            step.remarks.twist_tenths = Warning::twist_beyond(twisted);
+                Warning::shift_beyond(state.grid(), shift).max(displacement_tenths);
+            step.remarks.twist_tenths = Warning::twist_beyond(twist);
         }
         let contact = (&*bodies, state.normal.pressure());
         let creepage = load.rolling().and_then(|roll| roll.large_creepage(contact));
