@@ -8,7 +8,7 @@ use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
 
-use crate::conversion::kind_of;
+use crate::conversion::{kind_of, missing_value};
 use crate::error::named;
 use crate::field::Field;
 use crate::friction::Friction;
@@ -22,8 +22,11 @@ fn as_array<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>> {
     numpy.call_method1("asanyarray", (object,)).ok()
 }
 
-/// Returns the kind of entries of an object that are not real numbers: complex numbers, text or times.
+/// Returns the kind of entries of an object that are not real numbers: complex numbers, text, times or a missing value.
 fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
+    if let Some(missing) = missing_value(object) {
+        return Ok(Some(missing));
+    }
     let Some(array) = as_array(object) else {
         return Ok(None);
     };
@@ -291,6 +294,21 @@ pub(crate) fn filled<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyA
     }
 }
 
+/// Returns an array of numbers, in which masked entries and missing values of pandas are NaN.
+pub(crate) fn numbers<'py, T>(object: &Bound<'py, PyAny>) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    filled(object)?.extract().or_else(|error| {
+        let module = object.py().import("stickslip._tables")?;
+        let known = module.call_method1("with_nan", (object,))?;
+        if known.is_none() {
+            return Err(error);
+        }
+        known.extract()
+    })
+}
+
 /// Returns an array whose axes have the names (x, y), as an array of xarray, with its axes in the order (y, x). Other objects
 /// are returned unchanged.
 pub(crate) fn by_axis<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
@@ -355,7 +373,7 @@ pub(crate) fn plane<'py>(
     grid: stickslip::Grid,
 ) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
     let object = &by_axis(object)?;
-    filled(object)?.extract().map_err(|_| {
+    numbers(object).map_err(|_| {
         let shape = as_array(object).and_then(|array| array.getattr("shape").ok()?.extract().ok());
         // NumPy converts an object of unknown type to a zero-dimensional array.
         let differs = |shape: &Vec<usize>| !shape.is_empty() && *shape != [grid.ny(), grid.nx()];
