@@ -1,5 +1,6 @@
 //! Reading of surfaces from files, and writing of fields to files.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
@@ -535,10 +536,22 @@ fn with_ending(py: Python<'_>, path: &Path, ending: &str) -> PyResult<()> {
     if given.is_some_and(|given| given.eq_ignore_ascii_case(ending)) {
         return Ok(());
     }
+    // The decimals of a number in the name are no extension.
+    let is_extension = |given: &OsStr| {
+        let text = given.to_string_lossy();
+        text.starts_with(|first: char| first.is_ascii_alphabetic())
+    };
+    let proposed = if given.is_some_and(is_extension) {
+        path.with_extension(ending)
+    } else {
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!(".{ending}"));
+        name.into()
+    };
     let message = format!(
         "must end in .{ending}, by which ParaView recognises the format, got \"{}\": give \"{}\"",
         path.display(),
-        path.with_extension(ending).display()
+        proposed.display()
     );
     Err(out_of_range(py, "path", &message))
 }

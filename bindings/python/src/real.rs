@@ -229,15 +229,19 @@ fn refused(object: &Bound<'_, PyAny>, error: PyErr, expected: &str, range: &str)
 
 /// Describes an object of a wrong type: the shape of an array, the length of a sequence, or the name of the type.
 fn found(object: &Bound<'_, PyAny>) -> String {
-    if let Some(shape) = object
+    let shape = object
         .getattr("shape")
         .ok()
-        .filter(|shape| !shape.is_none())
+        .filter(|shape| !shape.is_none());
+    let is_number = |shape: &Bound<'_, PyAny>| shape.len().is_ok_and(|axes| axes == 0);
+    if object.is_none()
+        || object.is_instance_of::<PyFloat>()
+        || shape.as_ref().is_some_and(is_number)
     {
-        return format!("an array of shape {shape}");
-    }
-    if object.is_none() || object.is_instance_of::<PyFloat>() {
         return object.to_string();
+    }
+    if let Some(shape) = shape {
+        return format!("an array of shape {shape}");
     }
     let length = object.len();
     let length = length.map_or_else(|_| String::new(), |length| format!(" of length {length}"));

@@ -78,7 +78,7 @@ def test_bytes_of_any_kind_are_read(scene):
                 read(wrong)
 
 
-@pytest.mark.parametrize(("number", "found"), [(3.0, "3.0"), (3.5, "3.5"), (np.float64(1e30), "1e\\+30")])
+@pytest.mark.parametrize(("number", "found"), [(3.0, "3.0"), (3.5, "3.5"), (np.float64(1e30), "1e\\+30"), (np.float32(2.5), "2.5")])
 def test_fractional_count_of_cells_is_named(scene, number, found):
     for call in (lambda: ss.surface.crop(scene.ball, (0, number), (0, 4)), lambda: ss.surface.crop(scene.ball, (0, 4), (number, 9))):
         with pytest.raises(TypeError, match=rf"must be a pair \(first, end\) of whole numbers, got {found}: give a number of cells as an int"):
@@ -161,7 +161,12 @@ def test_snapshot_follows_a_link(scene, tmp_path):
     snapshot.save(tmp_path / "link.npz")
     assert (tmp_path / "link.npz").is_symlink()
     assert ss.wear.WearSnapshot.load(tmp_path / "folder" / "whole.npz").cycles == snapshot.cycles
-    assert [file.name for file in (tmp_path / "folder").iterdir()] == ["whole.npz"]
+    whole = tmp_path / "folder" / "whole.npz"
+    whole.chmod(0o600)
+    snapshot.save(tmp_path / "link.npz")
+    assert whole.stat().st_mode & 0o777 == 0o600 and [file.name for file in (tmp_path / "folder").iterdir()] == ["whole.npz"]
+    with pytest.raises(ss.errors.File, match="/dev/null: the path is not a regular file"):
+        snapshot.save("/dev/null")
 
 
 def test_decimal_commas_between_commas_are_rejected():

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
+import shutil
 import zipfile
 import zlib
 from collections.abc import Callable
@@ -137,6 +139,8 @@ class WearSnapshot:
         target = os.path.realpath(path)
         partial = f"{target}.{os.getpid()}.part"
         try:
+            if os.path.exists(target) and not (os.path.isfile(target) or os.path.isdir(target)):
+                raise OSError(errno.EINVAL, "the path is not a regular file")
             with open(partial, "wb") as file:
                 np.savez_compressed(
                     file,
@@ -150,6 +154,9 @@ class WearSnapshot:
                     loop=self.loop,
                     first_step=self.first_step,
                 )
+            if os.path.isfile(target):
+                with contextlib.suppress(OSError):
+                    shutil.copymode(target, partial)  # some file systems have no permissions
             os.replace(partial, target)
         except OSError as cause:
             raise _not_written(os.fspath(path), cause) from cause
