@@ -11,7 +11,7 @@ use stickslip::io::{self, Sides, vti};
 
 use crate::argument::Object;
 use crate::content::Content;
-use crate::conversion::{self, entries};
+use crate::conversion::{self, entries, kind_of};
 use crate::digits::counted;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, same_grid};
@@ -510,10 +510,21 @@ impl Arrays {
                     .iter()
                     .map(|part| one(&part))
                     .collect::<PyResult<_>>()?,
-                Some(_) => return Err(PyTypeError::new_err("a vector must have two components")),
+                Some(vector) => {
+                    return Err(PyTypeError::new_err(format!(
+                        "a vector must have two components, got {}",
+                        vector.len()
+                    )));
+                }
                 None => vec![one(&value)?],
             };
-            arrays.push((name.extract()?, parts));
+            let name = name.extract().map_err(|_| {
+                PyTypeError::new_err(format!(
+                    "the names of the fields must be text, got {}",
+                    kind_of(&name)
+                ))
+            })?;
+            arrays.push((name, parts));
         }
         Ok(Self(arrays))
     }

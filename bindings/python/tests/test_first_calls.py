@@ -100,6 +100,10 @@ def test_image_of_plain_arrays_asks_for_the_grid(scene):
         with pytest.raises(TypeError, match=r"give grid= .*or create a Field by Field\(grid, array\)"):
             ss.io.vti.to_bytes(fields)
         assert ss.io.vti.to_bytes(fields, grid=scene.grid)
+    with pytest.raises(TypeError, match="the names of the fields must be text, got int"):
+        ss.io.vti.to_bytes({1: scene.ball})
+    with pytest.raises(TypeError, match="a vector must have two components, got 3"):
+        ss.io.vti.to_bytes({"normal": (scene.ball, scene.ball, scene.ball)})
 
 
 def test_compressed_file_is_named_and_read_after_decompression(tmp_path):
