@@ -87,6 +87,16 @@ def test_fractional_count_of_cells_is_named(scene, number, found):
         ss.Grid(number, 4, 1.0, 1.0)
 
 
+def test_grid_in_another_unit_is_named(scene):
+    micrometres = ss.Field(ss.Grid(64, 64, 1e6 * scene.grid.dx, 1e6 * scene.grid.dy), 1e6 * np.array(scene.ball), "um")
+    with pytest.raises(ss.errors.GridMismatch, match=r"different units, convert the surface by surface.to_unit"):
+        ss.NormalProblem(scene.bodies, micrometres, force=FORCE)
+    assert ss.NormalProblem(scene.bodies, micrometres.to_unit("m"), force=FORCE).solve().force == pytest.approx(FORCE)
+    for other in (ss.Grid(64, 64, scene.grid.dx, 10.0 * scene.grid.dy), ss.Grid(32, 64, 1e6 * scene.grid.dx, 1e6 * scene.grid.dy)):
+        with pytest.raises(ss.errors.GridMismatch, match=r"\]$"):
+            ss.NormalProblem(scene.bodies, ss.Field(other, 1.0), force=FORCE)
+
+
 def test_wrong_entry_of_a_pair_is_named():
     with pytest.raises(TypeError, match=r"force must be a pair \(x, y\), got None as an entry"):
         ss.LoadStep(force=(1.0, None))
