@@ -547,7 +547,7 @@ fn with_ending(py: Python<'_>, path: &Path, ending: &str) -> PyResult<()> {
     if given.is_some_and(|given| given.eq_ignore_ascii_case(ending)) {
         return Ok(());
     }
-    // The decimals of a number in the name are no extension.
+    // A number in the name, such as 0.5, may contain a point too.
     let is_extension = |given: &OsStr| {
         let text = given.to_string_lossy();
         text.starts_with(|first: char| first.is_ascii_alphabetic())
