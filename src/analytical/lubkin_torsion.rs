@@ -20,7 +20,8 @@ use crate::error::{Result, finite, positive};
 /// ```
 ///
 /// The traction is circumferential and equals $`\mu p`$ in the ring. The centre sticks at any twist. For large twists
-/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of slip is
+/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. The theory assumes small rotations. The twist is not checked for
+/// this, and a twist in degrees gives almost the moment of sliding. Slip is parallel to the traction, so no component of slip is
 /// neglected for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```

@@ -46,7 +46,8 @@ pub struct Settings {
     /// also bounds the largest complementarity residual, relative to the largest displacement. For an operator without a
     /// [`lower_bound`](crate::Operator::lower_bound) it bounds only the residual. The relative sum of all traction errors exceeds
     /// this error by a factor of at most three on square cells. On cells with an aspect ratio of 1 : 315 the factor is at most
-    /// eight. The error of single cells at the edge of a smooth contact may be ten to a hundred times larger.
+    /// eight. The error of single cells at the edge of a smooth contact may be ten to a hundred times larger. A tolerance of
+    /// 0.1 therefore permits errors of forces, areas and stick ratios of tens of per cent, without a warning.
     pub tolerance: f64,
     /// Maximum number of conjugate-gradient steps (default 10 000).
     pub max_iterations: usize,

@@ -1,6 +1,6 @@
 //! Files that are renamed to their target when they are complete. They are written by one process or by several ranks together.
 
-use std::fs::{File, OpenOptions, canonicalize, metadata, set_permissions};
+use std::fs::{File, OpenOptions, canonicalize, metadata, read_link, set_permissions};
 use std::io::{Error as IoError, ErrorKind, Result as IoResult, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -99,9 +99,12 @@ impl<'a> PartialFile<'a> {
     }
 }
 
-/// Returns the path of an existing file without symbolic links, or the path itself.
+/// Returns the path of an existing file without symbolic links, the file that a link to an absent file names, or the path itself.
 fn followed(path: &Path) -> PathBuf {
-    canonicalize(path).unwrap_or_else(|_| path.to_owned())
+    canonicalize(path).unwrap_or_else(|_| {
+        let named = read_link(path).map(|named| path.with_file_name(named));
+        named.unwrap_or_else(|_| path.to_owned())
+    })
 }
 
 impl Drop for PartialFile<'_> {
@@ -172,6 +175,14 @@ mod tests {
         assert_eq!(std::fs::read(&file).unwrap(), b"new");
         assert!(link.is_symlink());
         assert_eq!(metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
+        // The link is kept if its file is absent.
+        for named in [file.as_path(), Path::new("file")] {
+            std::fs::remove_file(&link).unwrap();
+            std::fs::remove_file(&file).unwrap();
+            symlink(named, &link).unwrap();
+            replace_bytes(&link, b"first").unwrap();
+            assert!(link.is_symlink() && std::fs::read(&file).unwrap() == b"first");
+        }
         for other in [&folder, Path::new("/dev/null")] {
             let error = replace_bytes(other, b"new").unwrap_err();
             assert!(matches!(error, Error::File { .. }), "{error}");

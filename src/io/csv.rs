@@ -109,6 +109,7 @@ impl Options {
         check_esri(FORMAT, bytes, self.skip_rows)?;
         let (mut samples, mut width) = (Vec::new(), 0);
         let mut spelling = Spelling::default();
+        let mut fractions = Fractions::default();
         let (mut separator, mut first_line) = (None, 0);
         let mut ends_with_separator = true;
         for (number, line) in lines(bytes).filter(|(number, _)| *number > self.skip_rows) {
@@ -120,6 +121,9 @@ impl Options {
                     rejected(place, cell, rule, [start == 0, column == 0])
                 })?;
                 samples.push(sample);
+                if separator == Separator::Comma {
+                    fractions.read([number, column], cell);
+                }
                 spelling.read(start == 0, column, cell);
                 last = cell;
             }
@@ -128,8 +132,14 @@ impl Options {
                 (width, first_line) = (found, number);
             }
             if found != 0 && found != width {
+                let is_unclear = separator == Separator::Comma && !fractions.is_excluded;
+                let remedy = if is_unclear {
+                    ": if the commas are decimal commas, separate the cells by semicolons or tabs"
+                } else {
+                    ""
+                };
                 let problem = format!(
-                    "the line must have {width} cells, as the previous lines, but it has {found}"
+                    "the line must have {width} cells, as the previous lines, but it has {found}{remedy}"
                 );
                 return Err(FORMAT.on_line(number, problem));
             }
@@ -147,6 +157,7 @@ impl Options {
             });
             width -= 1;
         }
+        fractions.check(width, self.skip_columns)?;
         if !self.is_unlabelled {
             self.check_labels(&spelling, &samples, width, first_line)?;
         }
@@ -190,6 +201,48 @@ impl Options {
              read them as heights by the option without_labels"
         );
         Err(FORMAT.on_line(line, problem))
+    }
+}
+
+/// Cells that may be the digits after decimal commas in a text whose cells are separated by commas.
+#[derive(Debug, Default)]
+struct Fractions {
+    /// Whether a cell cannot belong to numbers with decimal commas.
+    is_excluded: bool,
+    /// Line and column of the first cell in every second column with a leading zero, and its text.
+    zero: Option<([usize; 2], String)>,
+}
+
+impl Fractions {
+    /// Reads a cell. Digits after a comma have no sign and may begin with zeros, and the digits before it do not.
+    fn read(&mut self, [line, column]: [usize; 2], cell: &str) {
+        let is_second = column % 2 == 1;
+        let digits = cell.strip_prefix('-').filter(|_| !is_second);
+        let digits = digits.unwrap_or(cell);
+        let begins_with_zero = digits.len() > 1 && digits.starts_with('0');
+        let is_whole = digits.bytes().all(|byte| byte.is_ascii_digit());
+        self.is_excluded |= !is_whole || begins_with_zero && !is_second;
+        if begins_with_zero && is_second && self.zero.is_none() {
+            self.zero = Some(([line, column], cell.into()));
+        }
+    }
+
+    /// Returns an error if the cells of a matrix of this width may be the digits before and after decimal commas.
+    fn check(&self, width: usize, skipped: usize) -> Result<()> {
+        let zero = self
+            .zero
+            .as_ref()
+            .filter(|_| !self.is_excluded && width % 2 == 0);
+        let Some(([line, column], cell)) = zero else {
+            return Ok(());
+        };
+        let problem = format!(
+            "{} in column {} begins with a zero, and all cells are whole numbers: if the commas are decimal commas, separate the \
+             cells by semicolons or tabs, otherwise remove the leading zeros",
+            excerpt(cell),
+            skipped + column + 1
+        );
+        Err(FORMAT.on_line(*line, problem))
     }
 }
 
@@ -432,7 +485,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///
 /// - Cells are separated by semicolons, tabs, commas or white space. The separator of the file is the first of these,
 ///   in this order, that occurs in the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
-/// - A decimal comma counts as a point unless commas separate the cells.
+/// - A decimal comma counts as a point unless commas separate the cells. A matrix of whole numbers between commas is rejected if
+///   only cells of every second column begin with zeros, as `0,05,1,5`, because these may be the digits after decimal commas.
 /// - Cells may be in quotes, as `"1.5"`.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
 ///   `# NODATA_value -9999` sets the value of missing points. Such a comment consists of a name, then `=`, `:` or a space,

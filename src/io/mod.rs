@@ -32,6 +32,8 @@
 //! - A row of n points with the spacing d covers n cells of side d, not n - 1 cells.
 //!
 //! # Damaged files
+//! Files that are compressed by gzip or another program are rejected. Decompress them first.
+//!
 //! A truncated, damaged or inconsistent file causes an [`Error::Format`](crate::Error::Format) with the problem and its
 //! [place](Place). Sizes are checked against the number of bytes before memory is allocated. The memory for reading a file is
 //! therefore less than fifty times its size. X3P files are compressed. The memory for reading such a file is less than eight
@@ -179,6 +181,20 @@ impl Sides {
 fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
     parse(&bytes).map_err(|error| in_file(path, error))
+}
+
+/// Returns an error if bytes are compressed, which no reader expands.
+fn check_compression(format: Format, bytes: &[u8]) -> Result<()> {
+    let program = match bytes {
+        [0x1f, 0x8b, ..] => "gzip",
+        [b'P', b'K', 3, 4, ..] => "zip",
+        [b'B', b'Z', b'h', _, b'1', b'A', b'Y', ..] => "bzip2",
+        [0xfd, b'7', b'z', b'X', b'Z', ..] => "xz",
+        [0x28, 0xb5, 0x2f, 0xfd, ..] => "zstd",
+        _ => return Ok(()),
+    };
+    let problem = format!("the data are compressed by {program}: decompress them first");
+    Err(format.at_byte(0, problem))
 }
 
 /// Creates or replaces a file.

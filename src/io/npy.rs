@@ -11,7 +11,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::text::excerpt;
-use super::{Place, Sides, missing, parse_file, write_bytes};
+use super::{Place, Sides, check_compression, missing, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::replace;
 use crate::files::{ByteOrder, Cursor, NumberFormat};
@@ -244,6 +244,11 @@ struct ArrayHeader {
 impl ArrayHeader {
     /// Parses the bytes before the samples. `length` is the number of bytes of the whole file.
     fn parse(bytes: &[u8], length: u64) -> Result<Self> {
+        if bytes.starts_with(b"PK\x03\x04") {
+            let problem = "the file is a zip archive, as an NPZ file: save one array by numpy.save";
+            return Err(FORMAT.at_byte(0, problem));
+        }
+        check_compression(FORMAT, bytes)?;
         let mut bytes = Cursor::new(FORMAT, bytes);
         if bytes.take("the magic string", MAGIC.len())? != MAGIC {
             return Err(FORMAT.at_byte(0, "the file does not start with \\x93NUMPY"));
@@ -346,7 +351,19 @@ impl ArrayHeader {
             number,
             order,
             is_fortran,
-            shape: pair(shape).ok_or_else(|| refused("'shape'", shape))?,
+            shape: pair(shape).ok_or_else(|| match axes(shape) {
+                Some((0 | 1, shape)) => FORMAT.at_byte(
+                    start,
+                    format!("the array has the shape {shape}, expected (ny, nx): reshape it to two axes before saving it"),
+                ),
+                Some((count, shape)) if count > 2 => FORMAT.at_byte(
+                    start,
+                    format!(
+                        "the array has the shape {shape}, expected (ny, nx): save one plane, such as array[0] or array[..., 0]"
+                    ),
+                ),
+                _ => refused("'shape'", shape),
+            })?,
             header: start,
             start: start + text.len(),
         })
@@ -414,4 +431,15 @@ fn pair(shape: &str) -> Option<[usize; 2]> {
     let second = second.trim();
     let second = second.strip_suffix(',').unwrap_or(second);
     Some([first.trim().parse().ok()?, second.parse().ok()?])
+}
+
+/// Returns the number of lengths in a tuple of any number of whole numbers, and its text.
+fn axes(shape: &str) -> Option<(usize, &str)> {
+    let end = shape.find(')')?;
+    let inner = shape[..end].strip_prefix('(')?.trim();
+    let lengths = inner.strip_suffix(',').unwrap_or(inner).split(',');
+    let mut lengths = lengths.map(str::trim).filter(|length| !length.is_empty());
+    let count = lengths.clone().count();
+    let is_whole = |length: &str| length.parse::<usize>().is_ok();
+    lengths.all(is_whole).then(|| (count, &shape[..=end]))
 }

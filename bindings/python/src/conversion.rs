@@ -8,7 +8,7 @@ use pyo3::types::{PyList, PyTuple};
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
 use crate::layers::Layer;
-use crate::real::{Real, filled, is_no_mask, is_real, unnamed};
+use crate::real::{Real, filled, is_no_mask, is_real, numbers, unnamed};
 
 /// Declares the class of an argument of a prescribed form: the content, the expected form (starting with the name of the
 /// argument) and, if helpful, an alternative.
@@ -239,9 +239,8 @@ fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<
         return Ok(Vec::new());
     }
     let refused = |error: &PyErr| refused(object, error, due, instead);
-    let given = filled(&in_order(object, due)?)?;
     let rows: PyArrayLike2<'_, f64, AllowTypeChange> =
-        given.extract().map_err(|error: PyErr| refused(&error))?;
+        numbers(&in_order(object, due)?).map_err(|error: PyErr| refused(&error))?;
     let rows = rows.as_array();
     if rows.ncols() != 3 {
         return Err(refused(&PyTypeError::new_err(due.to_owned())));
@@ -263,6 +262,14 @@ fn refused(object: &Bound<'_, PyAny>, error: &PyErr, due: &str, instead: &str) -
             return PyValueError::new_err(format!("{due}, got {number}, which is {range}"));
         }
     }
+    let is_whole = due.ends_with("whole numbers");
+    let nested = object.try_iter().into_iter().flatten();
+    let mut nested = nested.map_while(Result::ok);
+    let wrong = wrong_entry(object, is_whole)
+        .or_else(|| nested.find_map(|entry| wrong_entry(&entry, is_whole)));
+    if let Some(wrong) = wrong {
+        return PyTypeError::new_err(format!("{due}, got {wrong}"));
+    }
     let length = object
         .len()
         .map_or_else(|_| String::new(), |len| format!(" of length {len}"));
@@ -281,11 +288,50 @@ where
     })
 }
 
-/// Returns the name of the type of an object.
+/// Returns the name of the type of an object, or the words for a missing value.
 pub(crate) fn kind_of(object: &Bound<'_, PyAny>) -> String {
+    if let Some(missing) = missing_value(object) {
+        return missing.into();
+    }
     let name = object.get_type().name();
     name.map_or_else(
         |_| "an object of unknown type".into(),
         |name| name.to_string(),
     )
+}
+
+/// Returns the words for a missing value of pandas. Returns `None` for other objects.
+pub(crate) fn missing_value(object: &Bound<'_, PyAny>) -> Option<&'static str> {
+    let name = object.get_type().name().ok()?;
+    match name.to_str().ok()? {
+        "NAType" => Some("the missing value <NA> (replace or remove missing values)"),
+        "NaTType" => Some("the missing value NaT (replace or remove missing values)"),
+        _ => None,
+    }
+}
+
+/// Describes the first entry of a sequence that is not a number, or not a whole number, for the message of a wrong form. Returns
+/// `None` if all entries are numbers or sequences.
+fn wrong_entry(object: &Bound<'_, PyAny>, is_whole: bool) -> Option<String> {
+    let entry = object
+        .try_iter()
+        .ok()?
+        .map_while(Result::ok)
+        .find(|entry| {
+            let is_number = if is_whole {
+                entry.extract::<usize>().is_ok()
+            } else {
+                entry.extract::<f64>().is_ok()
+            };
+            !is_number && entry.len().is_err()
+        })?;
+    Some(if let Some(missing) = missing_value(&entry) {
+        missing.into()
+    } else if is_whole && entry.extract::<f64>().is_ok() {
+        format!("{entry}: give a number of cells as an int, not a length")
+    } else if entry.is_none() {
+        "None as an entry".into()
+    } else {
+        format!("an entry of the type {}", kind_of(&entry))
+    })
 }

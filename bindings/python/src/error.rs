@@ -245,12 +245,28 @@ fn with_remedy(error: &Error, sentence: String) -> String {
             "a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling",
             "CoupledProblem or History with coupling=\"full\", or accept the error of coupling=\"one_way\" or \"neglected\"",
         ),
+        Error::GridMismatch {
+            expected_cells,
+            expected_sides,
+            found_cells,
+            found_sides,
+            ..
+        } if found_cells == expected_cells && differ_by_unit(*found_sides, *expected_sides) => {
+            format!("{sentence}: if the lengths have different units, convert the surface by surface.to_unit(...)")
+        }
         // The two arguments are probably in the wrong order.
         Error::PoissonRatio(value) if value.is_finite() && value.abs() > 1.0 => {
             format!("{sentence}: the modulus precedes Poisson's ratio")
         }
         _ => sentence,
     }
+}
+
+/// Returns whether the sides of cells differ by the same power of ten, as in different units.
+fn differ_by_unit(found: [f64; 2], expected: [f64; 2]) -> bool {
+    let powers = [0, 1].map(|axis| (found[axis] / expected[axis]).log10());
+    let power = powers[0].round();
+    power != 0.0 && powers.iter().all(|found| (found - power).abs() < 1e-6)
 }
 
 fn one<'py>(

@@ -35,8 +35,8 @@ use crate::xarray::only_first_operand;
 /// dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
 /// steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
 /// either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
-/// those of a reversed, shuffled or transposed table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
-/// or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
+/// those of a reversed, shuffled or transposed table, raise an error. Masked cells and the value ``NA`` of pandas are missing points
+/// (NaN). They are rejected in a gap or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 ///
 /// Parameters
 /// ----------
@@ -913,13 +913,18 @@ impl Samples<'_> {
 
     /// Returns the samples as a field on their own grid.
     pub(crate) fn alone(&self, quantity: &str) -> PyResult<Arc<stickslip::Field>> {
+        self.alone_or(quantity, ": create a Field by Field(grid, array)")
+    }
+
+    /// Returns the samples as [`alone`](Self::alone), with the remedy for an array.
+    pub(crate) fn alone_or(&self, quantity: &str, remedy: &str) -> PyResult<Arc<stickslip::Field>> {
         self.known()?.ok_or_else(|| {
             let instead = if self.has_heights() {
                 format!(", got {}: give its .heights", kind_of(&self.0))
             } else if self.0.hasattr("dims").unwrap_or(false) {
                 ": convert an array of xarray by io.from_xarray(array)".into()
             } else {
-                ": create a Field by Field(grid, array)".into()
+                remedy.into()
             };
             PyTypeError::new_err(format!(
                 "{quantity} must be a Field or a topography, which contain their grid{instead}"

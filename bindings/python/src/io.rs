@@ -1,5 +1,6 @@
 //! Reading of surfaces from files, and writing of fields to files.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
@@ -9,7 +10,8 @@ use pyo3::types::{PyBytes, PyDict, PyTuple};
 use stickslip::io::{self, Sides, vti};
 
 use crate::argument::Object;
-use crate::conversion::{self, entries};
+use crate::content::Content;
+use crate::conversion::{self, entries, kind_of};
 use crate::digits::counted;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, same_grid};
@@ -112,7 +114,8 @@ macro_rules! formats {
 
         #[doc = concat!("Reads a surface from the bytes of ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
-        pub(crate) fn $parse(py: Python<'_>, bytes: &[u8]) -> PyResult<Field> {
+        pub(crate) fn $parse(py: Python<'_>, bytes: Content<'_>) -> PyResult<Field> {
+            let bytes: &[u8] = &bytes;
             let field = py.detach(|| io::$format::parse(bytes)).or_raise(py)?;
             Ok(Field::made(field, $short))
         }
@@ -181,7 +184,7 @@ pub(crate) fn xyz_read(
     text_signature = "(bytes, *, missing=None, skip_rows=0, unit=None, height_unit=None)")]
 pub(crate) fn xyz_parse(
     py: Python<'_>,
-    bytes: &[u8],
+    bytes: Content<'_>,
     missing: Option<Real>,
     skip_rows: Count,
     unit: Option<&str>,
@@ -189,6 +192,7 @@ pub(crate) fn xyz_parse(
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
     let options = points(missing, skip_rows);
+    let bytes: &[u8] = &bytes;
     py.detach(|| options.parse(bytes))
         .or_raise(py)
         .map(|field| units.of_surface(field))
@@ -319,7 +323,8 @@ pub(crate) fn csv_read(
         .map(|field| units.of_surface(field))
 }
 
-/// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
+/// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`. The bytes of a compressed file are
+/// ``gzip.open(path).read()``.
 #[pyfunction]
 #[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
     without_labels=false, unit=None, height_unit=None),
@@ -327,7 +332,7 @@ pub(crate) fn csv_read(
         unit=None, height_unit=None)")]
 pub(crate) fn csv_parse(
     py: Python<'_>,
-    bytes: &[u8],
+    bytes: Content<'_>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
@@ -340,6 +345,7 @@ pub(crate) fn csv_parse(
     let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
     let options = options(missing, skip_rows, skip_columns, without_labels);
+    let bytes: &[u8] = &bytes;
     py.detach(|| options.parse(bytes, sides))
         .or_raise(py)
         .map(|field| units.of_surface(field))
@@ -417,7 +423,7 @@ pub(crate) fn npy_read(
     text_signature = "(bytes, *, cell=None, size=None, missing=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_parse(
     py: Python<'_>,
-    bytes: &[u8],
+    bytes: Content<'_>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
@@ -427,6 +433,7 @@ pub(crate) fn npy_parse(
     let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
     let options = array_options(missing);
+    let bytes: &[u8] = &bytes;
     py.detach(|| options.parse(bytes, sides))
         .or_raise(py)
         .map(|field| units.of_surface(field))
@@ -487,7 +494,10 @@ impl Arrays {
             let samples: Samples<'_> = object.extract()?;
             match grid {
                 Some(grid) => samples.only_on(py, "field", grid.0),
-                None => samples.alone("field"),
+                None => samples.alone_or(
+                    "field",
+                    ": give grid= (such as history.grid or solution.grid), or create a Field by Field(grid, array)",
+                ),
             }
         };
         for (name, value) in fields {
@@ -500,10 +510,21 @@ impl Arrays {
                     .iter()
                     .map(|part| one(&part))
                     .collect::<PyResult<_>>()?,
-                Some(_) => return Err(PyTypeError::new_err("a vector must have two components")),
+                Some(vector) => {
+                    return Err(PyTypeError::new_err(format!(
+                        "a vector must have two components, got {}",
+                        vector.len()
+                    )));
+                }
                 None => vec![one(&value)?],
             };
-            arrays.push((name.extract()?, parts));
+            let name = name.extract().map_err(|_| {
+                PyTypeError::new_err(format!(
+                    "the names of the fields must be text, got {}",
+                    kind_of(&name)
+                ))
+            })?;
+            arrays.push((name, parts));
         }
         Ok(Self(arrays))
     }
@@ -526,10 +547,22 @@ fn with_ending(py: Python<'_>, path: &Path, ending: &str) -> PyResult<()> {
     if given.is_some_and(|given| given.eq_ignore_ascii_case(ending)) {
         return Ok(());
     }
+    // A number in the name, such as 0.5, may contain a point too.
+    let is_extension = |given: &OsStr| {
+        let text = given.to_string_lossy();
+        text.starts_with(|first: char| first.is_ascii_alphabetic())
+    };
+    let proposed = if given.is_some_and(is_extension) {
+        path.with_extension(ending)
+    } else {
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!(".{ending}"));
+        name.into()
+    };
     let message = format!(
         "must end in .{ending}, by which ParaView recognises the format, got \"{}\": give \"{}\"",
         path.display(),
-        path.with_extension(ending).display()
+        proposed.display()
     );
     Err(out_of_range(py, "path", &message))
 }

@@ -8,6 +8,7 @@ mod array;
 mod boundary;
 mod cgm;
 mod choice;
+mod content;
 mod conversion;
 mod coupled;
 mod digits;

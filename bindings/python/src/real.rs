@@ -8,7 +8,7 @@ use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
 
-use crate::conversion::kind_of;
+use crate::conversion::{kind_of, missing_value};
 use crate::error::named;
 use crate::field::Field;
 use crate::friction::Friction;
@@ -22,8 +22,11 @@ fn as_array<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>> {
     numpy.call_method1("asanyarray", (object,)).ok()
 }
 
-/// Returns the kind of entries of an object that are not real numbers: complex numbers, text or times.
+/// Returns the kind of entries of an object that are not real numbers: complex numbers, text, times or a missing value.
 fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
+    if let Some(missing) = missing_value(object) {
+        return Ok(Some(missing));
+    }
     let Some(array) = as_array(object) else {
         return Ok(None);
     };
@@ -226,15 +229,19 @@ fn refused(object: &Bound<'_, PyAny>, error: PyErr, expected: &str, range: &str)
 
 /// Describes an object of a wrong type: the shape of an array, the length of a sequence, or the name of the type.
 fn found(object: &Bound<'_, PyAny>) -> String {
-    if let Some(shape) = object
+    let shape = object
         .getattr("shape")
         .ok()
-        .filter(|shape| !shape.is_none())
+        .filter(|shape| !shape.is_none());
+    let is_number = |shape: &Bound<'_, PyAny>| shape.len().is_ok_and(|axes| axes == 0);
+    if object.is_none()
+        || object.is_instance_of::<PyFloat>()
+        || shape.as_ref().is_some_and(is_number)
     {
-        return format!("an array of shape {shape}");
-    }
-    if object.is_none() || object.is_instance_of::<PyFloat>() {
         return object.to_string();
+    }
+    if let Some(shape) = shape {
+        return format!("an array of shape {shape}");
     }
     let length = object.len();
     let length = length.map_or_else(|_| String::new(), |length| format!(" of length {length}"));
@@ -289,6 +296,21 @@ pub(crate) fn filled<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyA
     } else {
         Ok(object.clone())
     }
+}
+
+/// Returns an array of numbers, in which masked entries and missing values of pandas are NaN.
+pub(crate) fn numbers<'py, T>(object: &Bound<'py, PyAny>) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    filled(object)?.extract().or_else(|error| {
+        let module = object.py().import("stickslip._tables")?;
+        let known = module.call_method1("with_nan", (object,))?;
+        if known.is_none() {
+            return Err(error);
+        }
+        known.extract()
+    })
 }
 
 /// Returns an array whose axes have the names (x, y), as an array of xarray, with its axes in the order (y, x). Other objects
@@ -355,7 +377,7 @@ pub(crate) fn plane<'py>(
     grid: stickslip::Grid,
 ) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
     let object = &by_axis(object)?;
-    filled(object)?.extract().map_err(|_| {
+    numbers(object).map_err(|_| {
         let shape = as_array(object).and_then(|array| array.getattr("shape").ok()?.extract().ok());
         // NumPy converts an object of unknown type to a zero-dimensional array.
         let differs = |shape: &Vec<usize>| !shape.is_empty() && *shape != [grid.ny(), grid.nx()];

@@ -19,7 +19,8 @@ use crate::real::{Count, Real};
 /// Parameters
 /// ----------
 /// tolerance : float, default 1e-8
-///     Upper limit for the certified error in the energy norm and for the largest residual.
+///     Upper limit for the certified error in the energy norm, relative to the norm of the solution, and for the largest residual.
+///     A tolerance of 0.1 permits errors of forces, areas and stick ratios of tens of per cent, without a warning.
 /// method : Method or str, default "active_set"
 ///     "active_set", or "polonsky_keer" for problems with one unknown per cell.
 /// max_iterations : int, default 10000

@@ -4,6 +4,7 @@ import collections
 import copy
 import io
 import pickle
+import re
 import warnings
 
 import numpy as np
@@ -755,6 +756,9 @@ def test_extensions_that_paraview_does_not_recognise_are_rejected(scene, tmp_pat
         assert caught.value.argument == "path"
         with pytest.raises(ss.errors.ArgumentRange, match=r"path must end in \.pvd"):
             ss.io.pvd.PvdWriter(tmp_path / name)
+    for name, proposed in (("F=0.5", "F=0.5.vti"), ("F=0.5.vtk", "F=0.5.vti"), ("a", "a.vti")):
+        with pytest.raises(ss.errors.ArgumentRange, match=f'{re.escape(name)}": give ".*{re.escape(proposed)}"'):
+            ss.io.vti.write(tmp_path / name, fields)
     assert not list(tmp_path.iterdir())
     ss.io.vti.write(tmp_path / "A.VTI", fields)
 

@@ -62,7 +62,7 @@ pub struct Rolling {
 
 impl Rolling {
     /// Creates a rolling step of `cells` cells (at least 1). The particles of both surfaces move by this number of cells
-    /// through the contact. The guide has [remedies for fractions of a
+    /// through the contact. A step with zero cells is rejected. The guide has [remedies for fractions of a
     /// cell](crate::guide::rolling#steps-of-whole-cells).
     #[must_use]
     pub fn new(cells: usize) -> Self {

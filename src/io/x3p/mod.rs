@@ -11,7 +11,7 @@ mod zip;
 use std::path::Path;
 
 use super::text::excerpt;
-use super::{Place, parse_file};
+use super::{Place, check_compression, parse_file};
 use crate::error::{Error, Result};
 use crate::files::Format;
 use crate::files::{ByteOrder, NumberFormat};
@@ -51,6 +51,10 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// - [`Error::Format`], with the name of the file within the archive, if the bytes are not an X3P archive or if its
 ///   files contradict each other.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
+    // The format itself is a zip archive.
+    if !bytes.starts_with(b"PK") {
+        check_compression(FORMAT, bytes)?;
+    }
     let archive = Archive::new(bytes)?;
     let folder = archive.folder_of(MAIN)?;
     let main = Main::parse(&archive.read(&format!("{folder}{MAIN}"), None)?)?;

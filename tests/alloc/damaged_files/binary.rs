@@ -107,9 +107,22 @@ fn damaged_npy_files_are_rejected() {
             "(0, 4)",
             "NPY, at byte 10: the grid must have at least one cell along each axis, got 4 x 0 cells",
         ),
-        ("(1,)", "NPY, at byte 10: 'shape'"),
-        ("(1, 1, 1)", "NPY, at byte 10: 'shape'"),
-        ("()", "NPY, at byte 10: 'shape'"),
+        (
+            "(1,)",
+            "NPY, at byte 10: the array has the shape (1,), expected (ny, nx): reshape it to two axes before saving it",
+        ),
+        (
+            "(1, 1, 1)",
+            "NPY, at byte 10: the array has the shape (1, 1, 1), expected (ny, nx): save one plane, such as array[0] or array[..., 0]",
+        ),
+        (
+            "()",
+            "NPY, at byte 10: the array has the shape (), expected (ny, nx): reshape",
+        ),
+        (
+            "(1, x, 1)",
+            "NPY, at byte 10: 'shape' \"(1, x, 1), }\\n\" is not supported",
+        ),
         ("1, 1", "NPY, at byte 10: 'shape'"),
     ] {
         assert_rejected(&npy_of_shape(shape, &eight), parse_npy, expected);

@@ -2,7 +2,7 @@
 
 use stickslip::{Field, Result, io};
 
-use super::assert_rejected;
+use super::{Parse, assert_rejected};
 
 pub(crate) fn parse_csv(bytes: &[u8]) -> Result<Field> {
     io::csv::parse(bytes, [1.0, 1.0])
@@ -303,5 +303,81 @@ fn damaged_text_sdf_files_are_rejected() {
         ),
     ] {
         assert_rejected(file.as_bytes(), io::sdf::parse, expected);
+    }
+}
+
+#[test]
+fn compressed_files_are_rejected_with_the_program() {
+    let gzip = b"\x1f\x8b\x08\x08\x00\x00\x00\x00\x00\x03heights.csv\x00".as_slice();
+    let programs = [
+        (gzip, "gzip"),
+        (b"PK\x03\x04\x14\x00\x00\x00\x08\x00heights.csv", "zip"),
+        (b"BZh91AY&SY\x01\x02\x03\x04", "bzip2"),
+        (b"\xfd7zXZ\x00\x00\x04\xe6\xd6\xb4\x46", "xz"),
+        (b"\x28\xb5\x2f\xfd\x04\x00\x41\x00\x00", "zstd"),
+    ];
+    let parsers: [(Parse, &str); 5] = [
+        (parse_csv, "CSV"),
+        (io::xyz::parse, "XYZ"),
+        (io::asc::parse, "ASC"),
+        (io::sdf::parse, "SDF"),
+        (io::sur::parse, "SUR"),
+    ];
+    for (bytes, program) in programs {
+        for (parse, format) in parsers {
+            let expected = format!(
+                "{format}, at byte 0: the data are compressed by {program}: decompress them first"
+            );
+            assert_rejected(bytes, parse, &expected);
+        }
+    }
+    let parse_npy: Parse = |bytes| io::npy::parse(bytes, [1.0, 1.0]);
+    assert_rejected(
+        gzip,
+        parse_npy,
+        "NPY, at byte 0: the data are compressed by gzip",
+    );
+    assert_rejected(
+        programs[1].0,
+        parse_npy,
+        "NPY, at byte 0: the file is a zip archive, as an NPZ file: save one array by numpy.save",
+    );
+    #[cfg(feature = "x3p")]
+    assert_rejected(
+        gzip,
+        io::x3p::parse,
+        "X3P, at byte 0: the data are compressed by gzip",
+    );
+}
+
+#[test]
+fn commas_that_may_be_decimal_commas_are_rejected() {
+    for (file, expected) in [
+        (
+            "0,05,1,5\n0,7,-1,25\n",
+            "CSV, on line 1: \"05\" in column 2 begins with a zero, and all cells are whole numbers: if the commas are decimal \
+             commas, separate the cells by semicolons or tabs",
+        ),
+        (
+            "1,5,2,25,\n1,0,2,007,\n",
+            "CSV, on line 2: \"007\" in column 4 begins with a zero",
+        ),
+        (
+            "1,5,2,25\n1,2,25\n",
+            "CSV, on line 2: the line must have 4 cells, as the previous lines, but it has 3: if the commas are decimal commas",
+        ),
+    ] {
+        assert_rejected(file.as_bytes(), parse_csv, expected);
+    }
+    // These cells cannot be digits after a comma, or no digits show that they are.
+    for file in [
+        "1,5,2,5\n3,7,4,5\n",
+        "01,05\n07,08\n",
+        "0.5,05\n1.5,07\n",
+        "1,05\n3,-7\n",
+        "1;05\n2;07\n",
+        "1,05,9\n2,07,9\n",
+    ] {
+        assert!(parse_csv(file.as_bytes()).is_ok(), "{file}");
     }
 }

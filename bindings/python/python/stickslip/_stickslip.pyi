@@ -2372,8 +2372,8 @@ class Field:
     dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
     steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
     either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
-    those of a reversed, shuffled or transposed table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
-    or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
+    those of a reversed, shuffled or transposed table, raise an error. Masked cells and the value ``NA`` of pandas are missing points
+    (NaN). They are rejected in a gap or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 
     Parameters
     ----------
@@ -3445,7 +3445,7 @@ class History:
         Largest tangential force that friction can carry.
         """
     @staticmethod
-    def from_bytes(bodies: HalfSpace, bytes: bytes) -> History:
+    def from_bytes(bodies: HalfSpace, bytes: bytes | bytearray | memoryview) -> History:
         """
         Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results on processors with
         the same vector instructions.
@@ -4397,6 +4397,7 @@ class LubkinTorsion:
         Coefficient of friction mu (dimensionless), positive.
     twist : float
         Rotation of body 2 relative to body 1 about the normal (radians), of either sign, positive from x to y.
+        The theory assumes small rotations. A twist in degrees is not detected, and gives almost the moment of sliding.
 
     Raises
     ------
@@ -6002,7 +6003,8 @@ class Rolling:
     Parameters
     ----------
     cells : int
-        Number of cells by which the particles of both surfaces move through the contact, one or more. The grid must
+        Number of cells by which the particles of both surfaces move through the contact, one or more; a step with zero cells raises
+        :class:`~stickslip.errors.NotPositive`. The grid must
         extend by this number of cells ahead of and behind the contact; otherwise the step raises
         :class:`~stickslip.errors.GridTooShort`. The entry rule needs the slope of the gap two cells further ahead. If
         the grid ends before, this slope is one-sided.
@@ -6678,7 +6680,8 @@ class Settings:
     Parameters
     ----------
     tolerance : float, default 1e-8
-        Upper limit for the certified error in the energy norm and for the largest residual.
+        Upper limit for the certified error in the energy norm, relative to the norm of the solution, and for the largest residual.
+        A tolerance of 0.1 permits errors of forces, areas and stick ratios of tens of per cent, without a warning.
     method : Method or str, default "active_set"
         "active_set", or "polonsky_keer" for problems with one unknown per cell.
     max_iterations : int, default 10000
@@ -6859,7 +6862,7 @@ class State:
         The friction of the history.
         """
     @staticmethod
-    def from_bytes(bytes: bytes) -> State:
+    def from_bytes(bytes: bytes | bytearray | memoryview) -> State:
         """
         Restores a state from its bytes.
         """
@@ -8281,7 +8284,7 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
         If the units of the slip and of the earlier depth differ.
     """
 
-def asc_parse(bytes: bytes) -> Field:
+def asc_parse(bytes: bytes | bytearray | memoryview) -> Field:
     """
     Reads a surface from the bytes of an ASC file (lengths in metres).
     """
@@ -8350,9 +8353,10 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
     Range
     """
 
-def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
+def csv_parse(bytes: bytes | bytearray | memoryview, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
-    Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
+    Reads a field from the bytes of a text file that contains a matrix; see :func:`read`. The bytes of a compressed file are
+    ``gzip.open(path).read()``.
     """
 
 def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
@@ -8664,7 +8668,7 @@ def npy_grid(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     Returns the grid of an NPY file without reading its samples.
     """
 
-def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
+def npy_parse(bytes: bytes | bytearray | memoryview, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of an NPY file; see :func:`read`.
     """
@@ -8778,7 +8782,7 @@ def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
         If the whole grid is smaller than one cell of the heights, as a grid in another unit would be.
     """
 
-def sdf_parse(bytes: bytes) -> Field:
+def sdf_parse(bytes: bytes | bytearray | memoryview) -> Field:
     """
     Reads a surface from the bytes of an SDF file (lengths in metres).
     """
@@ -8856,7 +8860,7 @@ def sum(fields: Sequence[Field | ArrayLike]) -> Field:
     surfaces must have the same unit.
     """
 
-def sur_parse(bytes: bytes) -> Field:
+def sur_parse(bytes: bytes | bytearray | memoryview) -> Field:
     """
     Reads a surface from the bytes of a SUR file (lengths in metres).
     """
@@ -8924,7 +8928,7 @@ def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = Non
         If the path does not end in ``.vti``. :func:`to_bytes` returns the content for other paths.
     """
 
-def x3p_parse(bytes: bytes) -> Field:
+def x3p_parse(bytes: bytes | bytearray | memoryview) -> Field:
     """
     Reads a surface from the bytes of an X3P file (lengths in metres).
     """
@@ -8934,7 +8938,7 @@ def x3p_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an X3P file (lengths in metres).
     """
 
-def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
+def xyz_parse(bytes: bytes | bytearray | memoryview, *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """

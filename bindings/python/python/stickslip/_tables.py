@@ -57,6 +57,18 @@ def to_series(values: Mapping[str, Any], name: str) -> Any:
     return _pandas().Series(dict(values), name=name, dtype=object)
 
 
+def with_nan(values: Any) -> Any:
+    """Returns an array of numbers in which the missing values ``NA`` of pandas are NaN; ``None`` if there are none."""
+    array = np.array(values)
+    if array.dtype.kind != "O":
+        return None
+    missing = np.array([type(value).__name__ == "NAType" for value in array.flat]).reshape(array.shape)
+    if not missing.any():
+        return None
+    array[missing] = np.nan
+    return array.astype(float)
+
+
 def in_order(values: Any, quantity: str, names: list[str], is_sequence: bool) -> Any:
     """Returns the entries with these names, in this order, or the columns with these names of a sequence of such entries. Labels are
     the columns of a table, the index of a Series, the last coordinate of an array of xarray, or the names of the parts of a named

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
+import shutil
 import zipfile
 import zlib
 from collections.abc import Callable
@@ -19,7 +22,7 @@ from ._progress import cycle_bar, is_stop
 from ._stickslip import Cycle, Field, HalfSpace, History, State
 from ._tables import to_frame
 from ._wear_laws import CycleWear, JumpLaw, JumpWear, Limits, digest, law_in_words
-from .errors import ArgumentRange, EmptyContact, Format, SnapshotMismatch, StickslipError
+from .errors import ArgumentRange, EmptyContact, File, Format, SnapshotMismatch, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
@@ -126,22 +129,40 @@ class WearSnapshot:
         return WearHistory._of(self.rows)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Saves the snapshot to a file, which is replaced completely or not at all."""
-        partial = f"{os.fspath(path)}.partial"
-        with open(partial, "wb") as file:
-            np.savez_compressed(
-                file,
-                state=np.frombuffer(self.state.to_bytes(), np.uint8),
-                cycles=self.cycles,
-                depth=self.depth,
-                dissipation=self.dissipation,
-                dissipated_energy=self.dissipated_energy,
-                rows=np.array(self.rows, dtype=float),
-                law=self.law,
-                loop=self.loop,
-                first_step=self.first_step,
-            )
-        os.replace(partial, path)
+        """Saves the snapshot to a file, which is replaced completely or not at all. A symbolic link is followed.
+
+        Raises
+        ------
+        File
+            If the file cannot be written.
+        """
+        target = os.path.realpath(path)
+        partial = f"{target}.{os.getpid()}.part"
+        try:
+            if os.path.exists(target) and not (os.path.isfile(target) or os.path.isdir(target)):
+                raise OSError(errno.EINVAL, "the path is not a regular file")
+            with open(partial, "wb") as file:
+                np.savez_compressed(
+                    file,
+                    state=np.frombuffer(self.state.to_bytes(), np.uint8),
+                    cycles=self.cycles,
+                    depth=self.depth,
+                    dissipation=self.dissipation,
+                    dissipated_energy=self.dissipated_energy,
+                    rows=np.array(self.rows, dtype=float),
+                    law=self.law,
+                    loop=self.loop,
+                    first_step=self.first_step,
+                )
+            if os.path.isfile(target):
+                with contextlib.suppress(OSError):
+                    shutil.copymode(target, partial)  # some file systems have no permissions
+            os.replace(partial, target)
+        except OSError as cause:
+            raise _not_written(os.fspath(path), cause) from cause
+        finally:
+            with contextlib.suppress(OSError):
+                os.remove(partial)  # after the renaming there is none
 
     @staticmethod
     def load(path: str | os.PathLike[str]) -> WearSnapshot:
@@ -414,6 +435,16 @@ def run(
             history.set_state(snapshot.state)
             error.snapshot = snapshot  # type: ignore[attr-defined]
             raise
+
+
+def _not_written(path: str | bytes, cause: OSError) -> File:
+    """Returns the exception for a file that cannot be written, as other writers raise it."""
+    name, problem = os.fsdecode(path), f"{cause.strerror} (os error {cause.errno})"
+    error = File(f"{name}: {problem}")
+    error.path = error.filename = name
+    error.problem = error.strerror = problem
+    error.errno = cause.errno
+    return error
 
 
 def _check_types(history: object, loop: object, law: object, progress: object, resume: object) -> None:

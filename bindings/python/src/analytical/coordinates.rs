@@ -5,7 +5,7 @@ use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::real::{filled, is_no_mask, is_real};
+use crate::real::{is_no_mask, is_real, numbers};
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
@@ -22,8 +22,7 @@ impl FromPyObject<'_, '_> for Coordinates {
         is_real(&object, "coordinates")?;
         is_no_mask(&object, "coordinates")?;
         let names = object.getattr("dims").and_then(|names| names.extract());
-        let object = filled(&object)?;
-        let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = object.extract()?;
+        let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = numbers(&object)?;
         Ok(Self(array.as_array().to_owned(), names.ok()))
     }
 }

@@ -127,6 +127,7 @@ closed_form! {
     ///     Coefficient of friction mu (dimensionless), positive.
     /// twist : float
     ///     Rotation of body 2 relative to body 1 about the normal (radians), of either sign, positive from x to y.
+    ///     The theory assumes small rotations. A twist in degrees is not detected, and gives almost the moment of sliding.
     ///
     /// Raises
     /// ------

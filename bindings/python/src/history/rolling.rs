@@ -18,7 +18,8 @@ use crate::real::{Count, Real};
 /// Parameters
 /// ----------
 /// cells : int
-///     Number of cells by which the particles of both surfaces move through the contact, one or more. The grid must
+///     Number of cells by which the particles of both surfaces move through the contact, one or more; a step with zero cells raises
+///     :class:`~stickslip.errors.NotPositive`. The grid must
 ///     extend by this number of cells ahead of and behind the contact; otherwise the step raises
 ///     :class:`~stickslip.errors.GridTooShort`. The entry rule needs the slope of the gap two cells further ahead. If
 ///     the grid ends before, this slope is one-sided.

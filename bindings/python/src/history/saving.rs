@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
 use crate::argument::Object;
+use crate::content::Content;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
@@ -57,7 +58,8 @@ impl History {
     /// Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results on processors with
     /// the same vector instructions.
     #[staticmethod]
-    fn from_bytes(py: Python<'_>, bodies: Object<HalfSpace>, bytes: &[u8]) -> PyResult<Self> {
+    fn from_bytes(py: Python<'_>, bodies: Object<HalfSpace>, bytes: Content<'_>) -> PyResult<Self> {
+        let bytes: &[u8] = &bytes;
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_bytes(&bodies.0, bytes)
         })?;

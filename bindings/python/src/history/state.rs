@@ -8,6 +8,7 @@ use pyo3::types::{PyBytes, PyType};
 use crate::array::{Array, contact, energies, snapshot, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
+use crate::content::Content;
 use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::friction::Friction;
@@ -68,8 +69,8 @@ impl State {
 
     /// Restores a state from its bytes.
     #[staticmethod]
-    fn from_bytes(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
-        let state = stickslip::history::State::from_bytes(bytes).or_raise(py)?;
+    fn from_bytes(py: Python<'_>, bytes: Content<'_>) -> PyResult<Self> {
+        let state = stickslip::history::State::from_bytes(&bytes).or_raise(py)?;
         Ok(Self(Arc::new(state)))
     }
 
