@@ -45,11 +45,19 @@ variants! { RankFailure:
     SeparateMpiJobs CollectiveMismatch InconsistentInput RejectedByRank
 }
 
+/// Returns whether a text contains the name of an item of one language. The messages are the same in all languages.
+fn names_an_item(text: &str) -> bool {
+    let is_joint =
+        |part: &[u8]| part[1] == b'_' && [part[0], part[2]].iter().all(u8::is_ascii_lowercase);
+    text.contains("::") || text.contains('`') || text.as_bytes().windows(3).any(is_joint)
+}
+
 /// Checks the texts of the examples, and that every variant has an example.
 #[track_caller]
 pub(crate) fn check_texts<T: Variants>(examples: &[(T, &str)]) {
     for (value, text) in examples {
         assert_eq!(value.to_string(), *text);
+        assert!(!names_an_item(text), "{text}");
     }
     for variant in T::ALL {
         let has_example = examples
@@ -208,7 +216,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::NoPressureToHold,
-            "a normal problem has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach",
+            "a normal contact has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach",
         ),
         (
             Error::Method {
@@ -271,7 +279,7 @@ fn every_error_has_its_text() {
                 limit: 1e-6,
                 remedy: SLIDE_UNDER_CAP,
             },
-            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe a shift or a spring to let the body slide",
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe a shift or a spring to let the body slide",
         ),
         (
             with_remedy(
@@ -282,7 +290,7 @@ fn every_error_has_its_text() {
                 },
                 ROLL_UNDER_CAP,
             ),
-            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe the creepage, or lower the force",
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe the creepage, or lower the force",
         ),
         (
             Error::BeyondFrictionMoment {
@@ -359,6 +367,14 @@ fn every_error_has_its_text() {
                 known: 4,
             },
             "the form has 6 unknowns, but there are only 4 known points: provide more known points",
+        ),
+        (
+            Error::Undetermined {
+                quantity: "surface",
+                unknowns: 256,
+                known: 0,
+            },
+            "the surface has 256 unknowns, but all points are missing (NaN): check the source of the data, and provide known points",
         ),
         (
             Error::Degree {
@@ -488,7 +504,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::NoLastStep,
-            "the history has no last step, because it took no step since it was created or its state was set: make a step after set_state, from_state or from_bytes",
+            "the history has no last step, because it took no step since it was created or its state was set or restored: make a step first",
         ),
         (
             Error::OutdatedSolution {

@@ -10,6 +10,7 @@
 
 #include "stickslip/core.hpp"
 #include "stickslip/bodies.hpp"
+#include "stickslip/bulk_strain.hpp"
 #include "stickslip/loads.hpp"
 #include "stickslip/surface.hpp"
 #include "stickslip/normal.hpp"

@@ -342,6 +342,14 @@ int main() {
     check(std::fabs((sideways.shift[1] - twice.shift[1]) / (2.0 * grid.dx * 1e-4) - 1.0) < 1e-12, "travel of two cells");
     fails(STICKSLIP_UNSUPPORTED_BY_MODEL, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
 
+    // A bulk strain makes cells slip without a force.
+    const ss::RelativeDisplacement bulk = ss::bulk_strain(bodies, 1e-3, 0.0, 0.0);
+    check(std::fabs((bulk.x[1] - bulk.x[0]) / (1e-3 * grid.dx) - 1.0) < 1e-9 && bulk.y[0] == 0.0, "bulk strain");
+    ss::TangentialSolver stretched(bodies, pressed, law, ss::tangential(ss::force(0.0)));
+    stretched.set_relative_displacement(bulk.pattern());
+    check(stretched.solve().result().stick_ratio < 1.0, "slip due to a bulk strain");
+    fails(STICKSLIP_NOT_FINITE, [&] { ss::bulk_strain(bodies, NAN, 0.0, 0.0); });
+
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;
     check(std::fabs(ss::statistics(grid, ss::self_affine(grid, recipe)).rms_height / 1e-3 - 1.0) < 1e-12, "rms height");
