@@ -78,7 +78,9 @@ impl Failure {
     pub(crate) fn busy(name: &str) -> Self {
         Self::new(
             STICKSLIP_BUSY,
-            format!("{name} is in use by another thread: wait until the other call returns"),
+            format!(
+                "{name} is in use by another thread or by the call that made this call: wait until that call returns"
+            ),
         )
     }
 

@@ -168,6 +168,7 @@ static int32_t cancel(const stickslip_iteration *iteration, void *user) {
     /* Two attempts: a rejected call must not release the handle for the next call. */
     for (int i = 0; i < 2; i++) {
         CHECK(stickslip_history_result(history, &result) == STICKSLIP_BUSY);
+        CHECK(strstr(stickslip_last_error_message(), "or by the call that made this call: wait until that call") != NULL);
         CHECK(stickslip_history_free(history) == STICKSLIP_BUSY);
     }
     return 0;
