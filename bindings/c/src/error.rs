@@ -65,6 +65,16 @@ impl Failure {
         )
     }
 
+    /// Creates the failure for an object that has not been created.
+    pub(crate) fn object(name: &str) -> Self {
+        Self::new(
+            STICKSLIP_BAD_POINTER,
+            format!(
+                "{name} is NULL or misaligned: create the object, and check the status of its creation"
+            ),
+        )
+    }
+
     /// Creates the failure for a quantity with a number of cells but without their values.
     pub(crate) fn missing_cells(name: &str, count: usize) -> Self {
         Self::new(
