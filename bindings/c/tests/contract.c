@@ -322,7 +322,7 @@ static void rejected_steps_do_not_count(void) {
         CHECK(stickslip_wear_energy(history, &alpha, depth, CELLS) == STICKSLIP_NO_LAST_STEP);
         CHECK(stickslip_wear_archard(history, &alpha, depth, CELLS) == STICKSLIP_NO_LAST_STEP);
         CHECK(stickslip_wear_threshold_energy(history, &alpha, 0.0, depth, CELLS) == STICKSLIP_NO_LAST_STEP);
-        CHECK(strstr(stickslip_last_error_message(), "make a step after set_state") != NULL);
+        CHECK(strstr(stickslip_last_error_message(), "make a step first") != NULL);
         CHECK(stickslip_history_reports(history, &reports[0], &reports[1]) == STICKSLIP_NO_LAST_STEP);
         CHECK(stickslip_history_warnings(history, NULL, 0, &count) == STICKSLIP_NO_LAST_STEP);
         CHECK(stickslip_history_field(history, STICKSLIP_STEP_SLIP_DISTANCE, NULL) == NULL);
