@@ -395,7 +395,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::SingleLoadStep => write!(
                 formatter,
-                "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance"
+                "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: let the history press in steps that it chooses for a tolerance"
             ),
             Self::ApproachBeyondGrid { tenths } => write!(
                 formatter,
@@ -436,7 +436,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::LowShearStress { parts } => write!(
                 formatter,
-                "max_shear_stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of max_shear_stress and pressure, or prescribe the tangential force"
+                "the largest shear stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of this stress and of the pressure, or prescribe the tangential force"
             ),
             Self::LowPressure { parts } => write!(
                 formatter,

@@ -140,7 +140,7 @@ impl TangentialSolution {
             return Err(Error::OutdatedSolution {
                 quantity,
                 changed: "the friction",
-                remedy: "pass the friction of the tangential problem",
+                remedy: "pass the friction of the tangential contact",
             });
         }
         let [qx, qy] = self.traction().map(Field::as_slice);

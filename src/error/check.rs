@@ -183,11 +183,10 @@ pub(crate) const SLIDE: &str = "prescribe a shift or a spring to let the body sl
 pub(crate) const ROLL: &str = "prescribe the creepage, or lower the force";
 
 /// Remedy for a load beyond a friction limit with a largest shear stress.
-pub(crate) const SLIDE_UNDER_CAP: &str =
-    "check the unit of max_shear_stress, or prescribe a shift or a spring to let the body slide";
+pub(crate) const SLIDE_UNDER_CAP: &str = "check the unit of the largest shear stress, or prescribe a shift or a spring to let the body slide";
 /// Remedy for a load of rolling bodies beyond a friction limit with a largest shear stress.
 pub(crate) const ROLL_UNDER_CAP: &str =
-    "check the unit of max_shear_stress, or prescribe the creepage, or lower the force";
+    "check the unit of the largest shear stress, or prescribe the creepage, or lower the force";
 
 /// Replaces the remedy for a force beyond the friction capacity.
 pub(crate) fn with_remedy(error: Error, remedy: &'static str) -> Error {

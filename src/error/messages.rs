@@ -78,6 +78,18 @@ pub(super) fn heights_not_reached(skewness: f64, kurtosis: f64, reached: [f64; 2
     )
 }
 
+/// Returns the message for a quantity that the known points do not determine.
+pub(super) fn undetermined(quantity: &str, unknowns: usize, known: usize) -> String {
+    let unknowns = counted(unknowns, "unknown");
+    if known == 0 {
+        return format!(
+            "the {quantity} has {unknowns}, but all points are missing (NaN): check the source of the data, and provide known points"
+        );
+    }
+    let known = counted(known, "known point");
+    format!("the {quantity} has {unknowns}, but there are only {known}: provide more known points")
+}
+
 /// Returns the message for an approach that does not determine the pressure.
 pub(super) fn beyond_mean_gap(approach: f64, mean_gap: f64) -> String {
     format!(
@@ -113,7 +125,7 @@ pub(super) fn not_converged(report: &Report) -> String {
     let remedy = match report.status {
         Status::Unsolved => ": solve first",
         // The limit of an iteration without an operator is fixed.
-        Status::IterationLimit if report.products() > 0 => ": raise max_iterations",
+        Status::IterationLimit if report.products() > 0 => ": raise the iteration limit",
         Status::TimeLimit => ": raise the time limit",
         Status::Stalled if report.residual <= NEAR_ROUND_OFF => {
             ": the tolerance is below round-off, so set it above these errors (1e-12 or more)"

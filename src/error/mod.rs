@@ -234,7 +234,7 @@ pub enum Error {
     IterationLimit,
     /// The load control holds the pressure, but a normal problem has no earlier pressure. Only a step of a history can hold one.
     #[error(
-        "a normal problem has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach"
+        "a normal contact has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach"
     )]
     NoPressureToHold,
     /// The method does not support the problem.
@@ -387,9 +387,7 @@ pub enum Error {
         row: usize,
     },
     /// The known points do not determine an unknown quantity.
-    #[error(
-        "the {quantity} has {}, but there are only {}: provide more known points", counted(*unknowns, "unknown"), counted(*known, "known point")
-    )]
+    #[error("{}", messages::undetermined(quantity, *unknowns, *known))]
     Undetermined {
         /// The unknown quantity, in words.
         quantity: &'static str,
@@ -522,9 +520,9 @@ pub enum Error {
         last: u64,
     },
     /// The result of the last step was requested, but no step led to the present state of the history. The history is new, or
-    /// its state was set.
+    /// its state was set or restored.
     #[error(
-        "the history has no last step, because it took no step since it was created or its state was set: make a step after set_state, from_state or from_bytes"
+        "the history has no last step, because it took no step since it was created or its state was set or restored: make a step first"
     )]
     NoLastStep,
     /// The requested result would combine a solution with a different input. Examples are a derivative after a change of the

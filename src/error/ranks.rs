@@ -1,5 +1,8 @@
 //! Failures of ranks that solve together.
 
+#[cfg(test)]
+mod tests;
+
 /// Reason why ranks that solve together cannot continue.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]

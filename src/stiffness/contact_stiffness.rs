@@ -140,7 +140,7 @@ impl TangentialSolution {
         let outdated = Error::OutdatedSolution {
             quantity: "stiffness",
             changed: "the pressure or the friction",
-            remedy: "solve the tangential problem with the pressure and the friction of the stiffness",
+            remedy: "solve the tangential contact with the pressure and the friction of the stiffness",
         };
         bodies.joint(if belongs { Ok(()) } else { Err(outdated) })
     }

@@ -81,7 +81,7 @@ impl TangentialSolution {
         Err(Error::OutdatedSolution {
             quantity: result,
             changed: "the pressure",
-            remedy: "pass the normal solution whose pressure the tangential problem took",
+            remedy: "pass the normal solution whose pressure the tangential contact took",
         })
     }
 }

@@ -102,7 +102,7 @@ impl Friction {
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if `tau_max` is not positive and finite.
     pub fn max_shear_stress(mut self, tau_max: f64) -> Result<Self> {
-        self.max_shear_stress = Some(positive("max_shear_stress", tau_max)?);
+        self.max_shear_stress = Some(positive("largest shear stress", tau_max)?);
         Ok(self)
     }
 

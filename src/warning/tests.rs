@@ -114,7 +114,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::SingleLoadStep,
-            "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance",
+            "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: let the history press in steps that it chooses for a tolerance",
         ),
         (
             Warning::ApproachBeyondGrid { tenths: 15 },
@@ -150,7 +150,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::LowShearStress { parts: 650_000 },
-            "max_shear_stress lowers the friction capacity to 1/650000, expected at least 1/100: check the units of max_shear_stress and pressure, or prescribe the tangential force",
+            "the largest shear stress lowers the friction capacity to 1/650000, expected at least 1/100: check the units of this stress and of the pressure, or prescribe the tangential force",
         ),
         (
             Warning::LowPressure { parts: 231_000_000 },

@@ -106,7 +106,7 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
 
     // A cap in the wrong unit is a likely cause of a small limit.
     let capped = || friction().max_shear_stress(1e-9).unwrap();
-    let unit = "check the unit of max_shear_stress, or ";
+    let unit = "check the unit of the largest shear stress, or ";
     let cause = TangentialLoad::force([too_much, 0.0]);
     let text = message(TangentialProblem::builder(&bodies, &normal, capped(), cause).build());
     assert!(text.ends_with(&format!("{unit}{slide}")), "{text}");

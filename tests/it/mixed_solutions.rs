@@ -64,7 +64,7 @@ fn outdated<T: std::fmt::Debug>(found: Result<T>) -> (&'static str, &'static str
 
 const OTHER_PRESSURE: (&str, &str) = (
     "the pressure",
-    "pass the normal solution whose pressure the tangential problem took",
+    "pass the normal solution whose pressure the tangential contact took",
 );
 
 fn stress_at_point(bodies: &HalfSpace, tractions: Tractions<'_>) -> Result<Stress> {
@@ -183,7 +183,7 @@ fn edges_under_different_friction_are_rejected() {
                 outdated(shear.edges(&contact, &coulomb(coefficient))),
                 (
                     "the friction",
-                    "pass the friction of the tangential problem"
+                    "pass the friction of the tangential contact"
                 )
             );
         }

@@ -117,7 +117,7 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
     let mut solver = rolling(&bodies, &pressed(&bodies, 1.0), by_default);
     let refused = solver.set_normal_load(NormalLoad::Force(0.7)).unwrap_err();
     assert!(
-        refused.to_string().contains("set_normal_solver"),
+        refused.to_string().contains("set a normal solver first"),
         "{refused}"
     );
     let press = problem(&bodies, 1.0).into_solver().unwrap();

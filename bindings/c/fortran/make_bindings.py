@@ -20,6 +20,7 @@ NUMBERS = {
 ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
     "depths", "points", "forces", "responses", "values", "heights", "labels", "layers_1", "layers_2", "slip_distance", "centres", "means",
+    "along_x", "along_y",
 }
 # Arrays of numbers that may be omitted.
 OPTIONAL = {"centres", "means"}

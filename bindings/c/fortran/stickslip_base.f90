@@ -133,8 +133,11 @@ contains
 
     subroutine refuse_copy(this, other)
         class(stickslip_object), intent(in) :: this, other
-        if (c_associated(this%address()) .or. c_associated(other%address())) &
-            error stop 'stickslip: an object cannot be assigned to another object'
+        logical :: is_copy
+        ! The left side is tested last, because a program may assign to an object that is not allocated.
+        is_copy = c_associated(other%address())
+        if (.not. is_copy) is_copy = c_associated(this%address())
+        if (is_copy) error stop 'stickslip: an object cannot be assigned to another object'
     end subroutine refuse_copy
 
     ! Returns whether an array has the shape of the grid, and reports an error if it does not. C rejects an object without a

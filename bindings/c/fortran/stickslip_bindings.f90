@@ -19,6 +19,7 @@ module stickslip_bindings
     public :: stickslip_kalker_coefficients
     public :: stickslip_vermeulen_johnson_ellipse
     public :: stickslip_history_step_all
+    public :: stickslip_bulk_strain
     public :: stickslip_coupled_solver_new
     public :: stickslip_coupled_solver_free
     public :: stickslip_coupled_solver_set_loads
@@ -1764,6 +1765,24 @@ module stickslip_bindings
             integer(c_int32_t), intent(inout), optional :: codes(*)
             integer(c_int32_t) :: answer
         end function stickslip_history_step_all
+
+        ! Fills along_x and along_y (lengths, count entries) with the displacement of body 1 relative to body 2 due to a uniform bulk
+        ! strain, a pattern for stickslip_relative_displacement. The strain is that of body 1 minus that of body 2, positive if body 1
+        ! is stretched; xy is half of the engineering shear strain. The displacement is zero at the origin of the grid: along_x
+        ! contains xx x + xy y and along_y contains xy x + yy y for a cell with the centre (x, y). Returns STICKSLIP_NOT_FINITE if a
+        ! component is not finite, and STICKSLIP_INVALID_ARGUMENT for a component along a periodic axis, where the displacement would
+        ! jump. A failure leaves both arrays unchanged.
+        function stickslip_bulk_strain(half_space, xx, xy, yy, along_x, along_y, count) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            real(c_double), value :: xx
+            real(c_double), value :: xy
+            real(c_double), value :: yy
+            real(c_double), intent(inout) :: along_x(*)
+            real(c_double), intent(inout) :: along_y(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_bulk_strain
 
         ! Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be NULL.
         ! A NULL hardness means no limit of the pressure, a NULL relative means no relative displacement, and NULL settings mean

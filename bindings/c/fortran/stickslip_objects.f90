@@ -18,6 +18,7 @@ module stickslip_objects
         procedure :: set_cell_value => half_space_set_cell_value
         procedure :: cell_value => half_space_cell_value
         procedure :: pair => half_space_pair
+        procedure :: bulk_strain => half_space_bulk_strain
         procedure :: address => half_space_address
         procedure :: free => half_space_free
         procedure, private :: half_space_refuse
@@ -90,6 +91,26 @@ contains
         type(stickslip_pair) :: found
         call report_status(stickslip_half_space_pair(this%handle, found), status)
     end function half_space_pair
+
+    ! Fills along_x and along_y (lengths) with the displacement of body 1 relative to body 2 due to a uniform bulk
+    ! strain, a pattern for stickslip_relative_displacement. The strain is that of body 1 minus that of body 2, positive
+    ! if body 1 is stretched; xy is half of the engineering shear strain. The displacement is zero at the origin of the
+    ! grid: along_x contains xx x + xy y and along_y contains xy x + yy y for a cell with the centre (x, y). Returns
+    ! STICKSLIP_NOT_FINITE if a component is not finite, and STICKSLIP_INVALID_ARGUMENT for a component along a periodic
+    ! axis, where the displacement would jump. A failure leaves both arrays unchanged.
+    subroutine half_space_bulk_strain(this, xx, xy, yy, along_x, along_y, status)
+        class(half_space), intent(in) :: this
+        real(c_double), intent(in) :: xx
+        real(c_double), intent(in) :: xy
+        real(c_double), intent(in) :: yy
+        real(c_double), intent(inout), contiguous :: along_x(:, :)
+        real(c_double), intent(inout), contiguous :: along_y(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('along_x', shape(along_x), this%grid, status)) return
+        if (.not. fits('along_y', shape(along_y), this%grid, status)) return
+        call report_status(stickslip_bulk_strain(this%handle, xx, xy, yy, along_x, along_y, size(along_y, &
+            kind=c_size_t)), status)
+    end subroutine half_space_bulk_strain
 
     ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine half_space_take(this, made, grid, made_with, status)

@@ -1719,6 +1719,20 @@ stickslip_status stickslip_history_step_all(stickslip_history *const *histories,
                                             size_t count,
                                             stickslip_status *codes);
 
+// Fills along_x and along_y (lengths, count entries) with the displacement of body 1 relative to body 2 due to a uniform bulk
+// strain, a pattern for stickslip_relative_displacement. The strain is that of body 1 minus that of body 2, positive if body 1
+// is stretched; xy is half of the engineering shear strain. The displacement is zero at the origin of the grid: along_x
+// contains xx x + xy y and along_y contains xy x + yy y for a cell with the centre (x, y). Returns STICKSLIP_NOT_FINITE if a
+// component is not finite, and STICKSLIP_INVALID_ARGUMENT for a component along a periodic axis, where the displacement would
+// jump. A failure leaves both arrays unchanged.
+stickslip_status stickslip_bulk_strain(const stickslip_half_space *half_space,
+                                       double xx,
+                                       double xy,
+                                       double yy,
+                                       double *along_x,
+                                       double *along_y,
+                                       size_t count);
+
 // Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be NULL.
 // A NULL hardness means no limit of the pressure, a NULL relative means no relative displacement, and NULL settings mean
 // the defaults.

@@ -243,7 +243,12 @@ fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&Field> {
         STICKSLIP_DISPLACEMENT_X => Ok(solution.displacement()[0]),
         STICKSLIP_DISPLACEMENT_Y => Ok(solution.displacement()[1]),
         STICKSLIP_DISPLACEMENT_Z => Ok(solution.displacement()[2]),
-        other => of_tangential(solution.tangential(), other),
+        STICKSLIP_TRACTION_X..=STICKSLIP_SLIP_Y => of_tangential(solution.tangential(), which),
+        other => Err(none(
+            "a coupled solution",
+            other,
+            "STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z",
+        )),
     }
 }
 

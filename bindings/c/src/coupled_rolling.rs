@@ -248,7 +248,12 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_free(
 fn own_field(solution: &CoupledRollingSolution, which: i32) -> Outcome<&Field> {
     match which {
         STICKSLIP_PRESSURE | STICKSLIP_GAP => of_normal(solution.normal(), which),
-        other => of_rolling(solution.rolling(), other),
+        STICKSLIP_TRACTION_X..=STICKSLIP_SLIP_Y => of_rolling(solution.rolling(), which),
+        other => Err(none(
+            "a coupled rolling solution",
+            other,
+            "STICKSLIP_PRESSURE to STICKSLIP_SLIP_Y",
+        )),
     }
 }
 

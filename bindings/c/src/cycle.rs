@@ -152,6 +152,12 @@ fn field(cycle: &Cycle, which: i32) -> Outcome<&Field> {
         STICKSLIP_SLIP_PRESSURE => cycle.slip_pressure(),
         STICKSLIP_SLIP_AMPLITUDE_X => cycle.slip_amplitude()[0],
         STICKSLIP_SLIP_AMPLITUDE_Y => cycle.slip_amplitude()[1],
-        other => return Err(none(other)),
+        other => {
+            return Err(none(
+                "a cycle",
+                other,
+                "STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE, STICKSLIP_SLIP_AMPLITUDE_X or STICKSLIP_SLIP_AMPLITUDE_Y",
+            ));
+        }
     })
 }

@@ -52,11 +52,26 @@ impl Failure {
         }
     }
 
+    /// Creates the failure for an invalid value.
+    pub(crate) fn at_value(code: stickslip_status, value: f64, message: String) -> Self {
+        Self::new(code, message).with(|numbers| numbers.value = value)
+    }
+
     /// Creates the failure for an entry, an argument or a handle that is required but missing.
     pub(crate) fn pointer(name: &str) -> Self {
         Self::new(
             STICKSLIP_BAD_POINTER,
             format!("{name} is NULL or misaligned"),
+        )
+    }
+
+    /// Creates the failure for an object that has not been created.
+    pub(crate) fn object(name: &str) -> Self {
+        Self::new(
+            STICKSLIP_BAD_POINTER,
+            format!(
+                "{name} is NULL or misaligned: create the object, and check the status of its creation"
+            ),
         )
     }
 
@@ -73,7 +88,9 @@ impl Failure {
     pub(crate) fn busy(name: &str) -> Self {
         Self::new(
             STICKSLIP_BUSY,
-            format!("{name} is in use by another thread: wait until the other call returns"),
+            format!(
+                "{name} is in use by another thread or by the call that made this call: wait until that call returns"
+            ),
         )
     }
 
@@ -94,11 +111,22 @@ impl Failure {
 
     /// Creates the failure for a number that is not a constant of its kind. The remedy names the constants.
     pub(crate) fn option(name: &str, value: i32, constants: &str) -> Self {
-        Self::new(
-            STICKSLIP_UNKNOWN_OPTION,
-            format!("the value {value} is not a valid {name}: use {constants}"),
-        )
-        .with(|numbers| numbers.value = f64::from(value))
+        let message = format!("the value {value} is not a valid {name}: use {constants}");
+        Self::at_value(STICKSLIP_UNKNOWN_OPTION, f64::from(value), message)
+    }
+
+    /// Creates the failure for an index that no depth of the planes has.
+    pub(crate) fn depth(index: usize, depths: usize) -> Self {
+        let message = match depths.checked_sub(1) {
+            None => "the planes have no depths: create them with at least one depth".into(),
+            Some(last) => format!(
+                "no depth has the index {index}, counted from zero: use 0 to {last}, because the number of depths is {depths}"
+            ),
+        };
+        Self::new(STICKSLIP_LENGTH, message).with(|numbers| {
+            numbers.index = index;
+            (numbers.expected, numbers.found) = (index.saturating_add(1), depths);
+        })
     }
 
     /// Returns an error if a member without effect is given, that is, not zero. The reason names the member that excludes it,
@@ -107,19 +135,13 @@ impl Failure {
         if value == 0.0 {
             return Ok(());
         }
-        Err(Self::new(
-            STICKSLIP_INVALID_ARGUMENT,
-            format!("{member} is {value} but has no effect: {reason}"),
-        )
-        .with(|numbers| numbers.value = value))
+        let message = format!("{member} is {value} but has no effect: {reason}");
+        Err(Self::at_value(STICKSLIP_INVALID_ARGUMENT, value, message))
     }
 
     pub(crate) fn time_limit(value: f64) -> Self {
-        Self::new(
-            STICKSLIP_NEGATIVE_OR_NOT_FINITE,
-            format!("the time limit must be non-negative, got {value}"),
-        )
-        .with(|numbers| numbers.value = value)
+        let message = format!("the time limit must be non-negative, got {value}");
+        Self::at_value(STICKSLIP_NEGATIVE_OR_NOT_FINITE, value, message)
     }
 
     pub(crate) fn length(

@@ -78,16 +78,24 @@ pub const STICKSLIP_STICK: u8 = 1;
 /// Zone of a cell in contact, at the friction limit.
 pub const STICKSLIP_SLIP: u8 = 2;
 
-/// Creates the failure for a number that is not a field of the object.
-pub(crate) fn none(field: i32) -> Failure {
-    Failure::option("field of this object", field, "a field that the object has")
+/// Fields of tangential and rolling solutions.
+pub(crate) const TRACTION_AND_SLIP: &str =
+    "STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y";
+
+/// Creates the failure for a number that is not a field of the object. The remedy names the fields of the object.
+pub(crate) fn none(object: &str, field: i32, fields: &str) -> Failure {
+    Failure::option(&format!("field of {object}"), field, fields)
 }
 
 pub(crate) fn of_normal(solution: &NormalSolution, field: i32) -> Outcome<&Field> {
     match field {
         STICKSLIP_PRESSURE => Ok(solution.pressure()),
         STICKSLIP_GAP => Ok(solution.gap()),
-        other => Err(none(other)),
+        other => Err(none(
+            "a normal solution",
+            other,
+            "STICKSLIP_PRESSURE or STICKSLIP_GAP",
+        )),
     }
 }
 
@@ -97,6 +105,6 @@ pub(crate) fn of_tangential(solution: &TangentialSolution, field: i32) -> Outcom
         STICKSLIP_TRACTION_Y => Ok(solution.traction()[1]),
         STICKSLIP_SLIP_X => Ok(solution.slip()[0]),
         STICKSLIP_SLIP_Y => Ok(solution.slip()[1]),
-        other => Err(none(other)),
+        other => Err(none("a tangential solution", other, TRACTION_AND_SLIP)),
     }
 }

@@ -157,6 +157,15 @@ pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usiz
     Ok(())
 }
 
+/// Returns an object.
+///
+/// # Safety
+/// The caller must follow the rule for pointers in [`crate::pointer`].
+unsafe fn object<'a, T: Opaque>(pointer: *const T) -> Outcome<&'a T> {
+    // SAFETY: the caller follows the safety contract of this function.
+    unsafe { input(T::NAME, pointer) }.map_err(|_| Failure::object(T::NAME))
+}
+
 /// Returns the number of cells of the grid of an object, or zero for an invalid pointer. Other threads may use the object
 /// at the same time.
 ///
@@ -164,7 +173,7 @@ pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usiz
 /// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn cells_of<T: Opaque>(pointer: *const T) -> usize {
     // SAFETY: the safety contract of this function; the number of cells never changes.
-    let object = unsafe { input(T::NAME, pointer) };
+    let object = unsafe { object(pointer) };
     object.map_or(0, |object| object.handle().cells)
 }
 
@@ -176,7 +185,7 @@ pub(crate) unsafe fn reading<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Reading<'a, T::Value>> {
     // SAFETY: the caller follows the safety contract of this function.
-    let object = unsafe { input(T::NAME, pointer)? };
+    let object = unsafe { object(pointer)? };
     object.handle().read().ok_or_else(|| Failure::busy(T::NAME))
 }
 
@@ -188,7 +197,7 @@ pub(crate) unsafe fn changing<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Changing<'a, T::Value>> {
     // SAFETY: the safety contract of this function; the count of users protects the value.
-    let object = unsafe { input(T::NAME, pointer)? };
+    let object = unsafe { object(pointer)? };
     object
         .handle()
         .change()

@@ -4,13 +4,14 @@ use stickslip_rs::history::{EnergyBalance, StepResult};
 use stickslip_rs::{Field, History};
 
 use crate::call::{Outcome, call_on};
+use crate::error::Failure;
 use crate::fields::*;
 use crate::handle::reading;
 use crate::history::stickslip_history;
 use crate::inputs::stickslip_grid;
 use crate::pointer::Place;
 use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning, unsolved};
-use crate::status::stickslip_status;
+use crate::status::{STICKSLIP_UNKNOWN_OPTION, stickslip_status};
 use crate::text_fields::{show, tell, warn};
 
 /// Work, elastic energy and dissipation of a step or a cycle.
@@ -239,9 +240,27 @@ fn field(history: &History, which: i32) -> Outcome<&Field> {
         STICKSLIP_STEP_SLIP_DISTANCE => step()?.slip_distance(),
         STICKSLIP_STEP_DISSIPATED_ENERGY => step()?.dissipation(),
         STICKSLIP_STEP_MID_DISSIPATED_ENERGY => step()?.dissipation_midpoint(),
-        STICKSLIP_YIELDED_DEPTH => history.state().yielded().ok_or_else(|| none(which))?,
-        other => return Err(none(other)),
+        STICKSLIP_YIELDED_DEPTH => history
+            .state()
+            .yielded()
+            .ok_or_else(without_permanent_set)?,
+        other => {
+            return Err(none(
+                "a history",
+                other,
+                "STICKSLIP_PRESSURE to STICKSLIP_SLIP_Y, STICKSLIP_SLIP_DISTANCE to STICKSLIP_STEP_MID_DISSIPATED_ENERGY, or STICKSLIP_YIELDED_DEPTH",
+            ));
+        }
     })
+}
+
+/// Creates the failure for the depth of a permanent set that the history does not have.
+fn without_permanent_set() -> Failure {
+    Failure::at_value(
+        STICKSLIP_UNKNOWN_OPTION,
+        f64::from(STICKSLIP_YIELDED_DEPTH),
+        "the field STICKSLIP_YIELDED_DEPTH exists only in a history with a permanent set: create the history with the options hardness and permanent_set".into(),
+    )
 }
 
 /// Returns the zone of every cell after the last step, or NULL on failure.

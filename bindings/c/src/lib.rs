@@ -9,6 +9,7 @@
 pub mod adaptive;
 pub mod analytical;
 pub mod batch;
+pub mod bulk_strain;
 mod call;
 pub mod coupled;
 pub mod coupled_rolling;

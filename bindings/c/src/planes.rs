@@ -10,7 +10,7 @@ use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells_mut, entries, input, optional};
-use crate::status::{STICKSLIP_INVALID_ARGUMENT, stickslip_status};
+use crate::status::{STICKSLIP_INVALID_ARGUMENT, STICKSLIP_UNKNOWN_OPTION, stickslip_status};
 use crate::stress::{body, stickslip_tractions};
 use crate::text_fields::show;
 
@@ -106,6 +106,9 @@ pub unsafe extern "C" fn stickslip_planes_solve_observed(
         let mut planes = changing(planes)?;
         let spare = planes.spare();
         let Solved { own, grid, last } = &mut *planes;
+        if index >= own.depths().len() {
+            return Err(Failure::depth(index, own.depths().len()));
+        }
         tractions.with(*grid, spare, |tractions| {
             match (last, observer) {
                 (Some(plane), None) => own.solve_into(index, body, tractions, plane)?,
@@ -133,7 +136,11 @@ pub unsafe extern "C" fn stickslip_planes_field(
 }
 
 fn field(plane: &Plane, which: i32) -> Outcome<&Field> {
-    let displacement = || plane.displacement().ok_or_else(|| none(which));
+    let displacement = || {
+        plane
+            .displacement()
+            .ok_or_else(|| without_displacements(which))
+    };
     Ok(match which {
         STICKSLIP_STRESS_XX => plane.normal_stress()[0],
         STICKSLIP_STRESS_YY => plane.normal_stress()[1],
@@ -144,8 +151,32 @@ fn field(plane: &Plane, which: i32) -> Outcome<&Field> {
         STICKSLIP_DISPLACEMENT_X => displacement()?[0],
         STICKSLIP_DISPLACEMENT_Y => displacement()?[1],
         STICKSLIP_DISPLACEMENT_Z => displacement()?[2],
-        other => return Err(none(other)),
+        STICKSLIP_VON_MISES..=STICKSLIP_HYDROSTATIC => {
+            return Err(none(
+                "planes",
+                which,
+                "the function measure of planes for STICKSLIP_VON_MISES to STICKSLIP_HYDROSTATIC",
+            ));
+        }
+        other => {
+            return Err(none(
+                "planes",
+                other,
+                "STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ, or STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z of planes with displacements",
+            ));
+        }
     })
+}
+
+/// Creates the failure for a displacement of planes without displacements.
+fn without_displacements(field: i32) -> Failure {
+    Failure::at_value(
+        STICKSLIP_UNKNOWN_OPTION,
+        f64::from(field),
+        format!(
+            "the field {field} is a displacement, which exists only in planes with displacements: create the planes with with_displacements"
+        ),
+    )
 }
 
 /// Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane to
@@ -165,7 +196,13 @@ pub unsafe extern "C" fn stickslip_planes_measure(
             STICKSLIP_VON_MISES => Stress::von_mises,
             STICKSLIP_MAX_SHEAR => Stress::max_shear,
             STICKSLIP_HYDROSTATIC => Stress::hydrostatic,
-            other => return Err(none(other)),
+            other => {
+                return Err(Failure::option(
+                    "measure of planes",
+                    other,
+                    "STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC",
+                ));
+            }
         };
         for (value, stress) in values.iter_mut().zip(planes.last()?.stresses()) {
             *value = measure(&stress);

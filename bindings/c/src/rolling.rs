@@ -495,7 +495,7 @@ pub(crate) fn of_rolling(solution: &RollingSolution, field: i32) -> Outcome<&Fie
         STICKSLIP_TRACTION_Y => Ok(solution.traction()[1]),
         STICKSLIP_SLIP_X => Ok(solution.slip()[0]),
         STICKSLIP_SLIP_Y => Ok(solution.slip()[1]),
-        other => Err(none(other)),
+        other => Err(none("a rolling solution", other, TRACTION_AND_SLIP)),
     }
 }
 

@@ -128,7 +128,7 @@ contains
     subroutine assign(mode)
         character(len=*), intent(in) :: mode
         type(contact_history) :: history, other, histories(2), others(2)
-        type(contact_history), allocatable :: allocated_histories(:)
+        type(contact_history), allocatable :: allocated_histories(:), absent_histories(:), absent
         type(joint) :: one, other_one, several(2), other_several(2)
         type(damped_joint) :: damped, other_damped
         type(pair) :: both, other_both
@@ -144,6 +144,12 @@ contains
             allocate (allocated_histories(2))
             call create_all(allocated_histories)
             others = allocated_histories
+        case ('unallocated')
+            call create(history)
+            absent = history
+        case ('unallocated_array')
+            call create_all(histories)
+            absent_histories = histories
         case ('component')
             call create(one%history)
             other_one = one

@@ -141,7 +141,7 @@ contains
         type(stickslip_report) :: report
         type(stickslip_normal_stiffness) :: slope
         real(c_double), target :: mu(nx, ny)
-        real(c_double) :: gap(nx, ny), stretched(nx, ny)
+        real(c_double) :: gap(nx, ny), stretched(nx, ny), across(nx, ny)
         real(c_double), pointer :: pressure(:, :)
         integer(c_int8_t), pointer :: zones(:, :)
         integer(c_int32_t), allocatable :: labels(:, :)
@@ -201,11 +201,14 @@ contains
         call check(abs(spots(1)%stick_ratio - shear%stick_ratio) < 1d-12, 'stick ratio of the spot')
 
         ! Bulk strain alone causes no force, but makes cells slip.
+        call bodies%bulk_strain(1d-3, 0d0, 0d0, stretched, across)
         do i = 1, int(nx)
-            stretched(i, :) = 1d-3 * side * (i - 0.5d0 * (nx + 1))
+            call check(all(abs(stretched(i, :) - 1d-3 * side * (i - 0.5d0 * (nx + 1))) < 1d-15), 'displacement of a strain')
         end do
+        call bodies%bulk_strain(1d-3, 0d0, 0d0, stretched, across(2:, :), status)
+        call check(status == STICKSLIP_LENGTH, 'array of another shape')
         call shearer%set_load(stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, 0)))
-        call shearer%set_relative_displacement(stretched, 0 * stretched)
+        call shearer%set_relative_displacement(stretched, across)
         call shearer%solve(sheared)
         shear = sheared%result()
         call check(abs(shear%force(1)) < 1d-6 .and. shear%stick_ratio < 1, 'bulk strain')

@@ -105,7 +105,7 @@ int main() {
     const ss::NormalSolver owner(std::move(emptied));
     fails(STICKSLIP_BAD_POINTER, [&] { emptied.set_load(ss::press_by_force(50.0)); });
     const std::string text = stickslip_last_error_message();
-    check(text == "normal solver is NULL or misaligned", text.c_str());
+    check(text == "normal solver is NULL or misaligned: create the object, and check the status of its creation", text.c_str());
 
     // A layer with the modulus of its body changes nothing, and a harder layer reduces the approach.
     const auto under = [&](double modulus) {
@@ -341,6 +341,14 @@ int main() {
     check(std::fabs(sideways.twist / (2.0 * grid.dx * 1e-3) - 1.0) < 1e-12, "spin over two cells");
     check(std::fabs((sideways.shift[1] - twice.shift[1]) / (2.0 * grid.dx * 1e-4) - 1.0) < 1e-12, "travel of two cells");
     fails(STICKSLIP_UNSUPPORTED_BY_MODEL, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
+
+    // A bulk strain makes cells slip without a force.
+    const ss::RelativeDisplacement bulk = ss::bulk_strain(bodies, 1e-3, 0.0, 0.0);
+    check(std::fabs((bulk.x[1] - bulk.x[0]) / (1e-3 * grid.dx) - 1.0) < 1e-9 && bulk.y[0] == 0.0, "bulk strain");
+    ss::TangentialSolver stretched(bodies, pressed, law, ss::tangential(ss::force(0.0)));
+    stretched.set_relative_displacement(bulk.pattern());
+    check(stretched.solve().result().stick_ratio < 1.0, "slip due to a bulk strain");
+    fails(STICKSLIP_NOT_FINITE, [&] { ss::bulk_strain(bodies, NAN, 0.0, 0.0); });
 
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;

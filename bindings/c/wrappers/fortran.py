@@ -9,7 +9,8 @@ OBSERVER = "type({}), intent(in), optional :: observer"
 CHANGES = [(r"and returns their number", "and writes their number to taken"),
            (r"number index, counted from zero", "number index, counted from one"),
            (r"index is not less than the number of depths", "no depth has this number")]
-RANK = {"cells": ":, :", "changed_cells": ":, :", "filled_cells": ":, :", "array": ":", "filled_array": ":"}
+RANK = {"cells": ":, :", "changed_cells": ":, :", "paired_cells": ":, :", "filled_cells": ":, :", "array": ":",
+        "filled_array": ":"}
 
 
 def broken(text, indent):
@@ -43,8 +44,8 @@ class Procedure:
         self.checks, self.locals, self.before = [], [], []
 
     def inputs(self):
-        found = self.function.of("object", "cells", "changed_cells", "filled_cells", "array", "struct", "per_cell",
-                                 "displacement", "tractions", "number", "flag", "index", "observer")
+        found = self.function.of("object", "cells", "changed_cells", "paired_cells", "filled_cells", "array", "struct",
+                                 "per_cell", "displacement", "tractions", "number", "flag", "index", "observer")
         return ordered(found + self.function.of("filled_array"), self.method.f_order) if self.method.f_order else \
             ordered(found, "")
 
@@ -83,7 +84,7 @@ class Procedure:
         return [name], [f"{base(one.type)}, intent(in){optional} :: {name}"]
 
     def expression(self, one):
-        if one.kind in RANK and one.kind != "filled_array":
+        if one.kind in RANK and one.kind not in ("filled_array", "paired_cells"):
             return f"{one.name}, size({one.name}, kind=c_size_t)"
         mark = "_" if one.is_optional else "%"
         return {"self": "this%handle", "object": f"{one.name}{mark}handle", "made": "made", "flag": f"{one.name}_number",

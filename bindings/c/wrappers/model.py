@@ -25,7 +25,8 @@ NAMES = {f"stickslip_{owner.c}_{method.c}": {
 
 @dataclass(frozen=True)
 class Argument:
-    """Argument of a wrapper. The kinds are self, object, cells, changed_cells, filled_cells, array, filled_array, struct,
+    """Argument of a wrapper. The kinds are self, object, cells, changed_cells, paired_cells, filled_cells, array,
+    filled_array, struct,
     number, flag, index, tractions, displacement, per_cell, body, observer, result and made."""
 
     kind: str
@@ -88,6 +89,9 @@ class Function:
             elif name in counts and is_const:
                 last_array = name
                 yield argument("array")
+            elif name == "along_x":
+                # The array has the count of the array that follows it.
+                yield argument("paired_cells")
             elif name in counts:
                 yield argument("filled_cells" if name == "values" else "changed_cells")
             elif kind in ("stickslip_observer", "stickslip_step_observer"):

@@ -83,7 +83,7 @@ FILES = [
     File("bodies", "objects", "Two bodies on a grid.", "materials", "", [
         Object("half_space", "HalfSpace", "half_space", [
             "new", Method("new_coated", cpp="new"), cpp_only("new_distributed", cpp="new"),
-            "first_row set_cell_value cell_value", cpp_only("grid"), "pair"]),
+            "first_row set_cell_value cell_value", cpp_only("grid"), "pair", f_only("bulk_strain", is_apart=True)]),
     ]),
     File("normal", "normal", "Normal contact.", "bodies loads", "objects", [
         Object("normal_solution", "NormalSolution", "normal_solution", [

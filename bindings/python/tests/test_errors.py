@@ -181,7 +181,7 @@ def test_adaptive_steps_rejected_keep_fields_and_failed_replace_them():
     with pytest.raises(RuntimeError, match="has taken a further step, or its state was set: call keep"):
         step.slip_distance
     assert history.to_bytes() == before
-    with pytest.raises(ss.errors.NoLastStep, match="make a step after set_state"):
+    with pytest.raises(ss.errors.NoLastStep, match="make a step first"):
         history.last_step
 
 

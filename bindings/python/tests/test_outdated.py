@@ -46,7 +46,7 @@ def test_restored_history_has_no_last_step(small, tmp_path):
     ]
     history.set_state(before)
     for other in [*restored, history]:
-        with pytest.raises(ss.errors.NoLastStep, match="make a step after set_state"):
+        with pytest.raises(ss.errors.NoLastStep, match="make a step first"):
             other.last_step
     with pytest.raises(RuntimeError, match="its state was set: call keep"):
         step.slip

@@ -382,7 +382,7 @@ def test_coupled_rolling_solver_rejects_force_beyond_friction_before_solve(ball)
 def test_rolling_solver_accepts_new_loads(ball):
     gap = ss.surface.sphere(ball.bodies.grid, 1.0)
     solver = ball.problem(creepage_x=0.02).solver()
-    with pytest.raises(ss.errors.UnsupportedByModel, match="set_normal_solver"):
+    with pytest.raises(ss.errors.UnsupportedByModel, match="set a normal solver first"):
         solver.set_normal_load(normal_force=0.8)
     solver.set_normal_solver(ss.NormalSolver(ball.bodies, gap, force=1.0))
     solver.set_normal_load(normal_force=0.8)

@@ -23,7 +23,7 @@ fn unconverged_solve_has_remedy_for_its_status() {
     assert_eq!(remedy(Status::Stalled, 9, f64::NAN), "");
     assert_eq!(
         remedy(Status::IterationLimit, 9, 1e-3),
-        ": raise max_iterations"
+        ": raise the iteration limit"
     );
     assert_eq!(remedy(Status::IterationLimit, 0, 1e-3), "");
     assert_eq!(remedy(Status::TimeLimit, 9, 1e-3), ": raise the time limit");

@@ -140,7 +140,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
                 model: "a fretting loop",
                 quantity: "a load that is equal for all values of its path",
                 value: 0.0,
-                remedy: "compute the load from the value of the path, as in LoadStep::shift(value)",
+                remedy: "compute the load from the value of the path, for example as the shift",
             });
         }
         Ok(())

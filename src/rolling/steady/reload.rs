@@ -126,7 +126,7 @@ impl RollingSolver {
                 value: match load {
                     NormalLoad::Force(load) | NormalLoad::Approach(load) => load,
                 },
-                remedy: "set a normal solver by set_normal_solver, or a solved pressure by set_pressure",
+                remedy: "set a normal solver first, or set a solved pressure",
             });
         };
         let before = press.solver.load();
@@ -247,7 +247,7 @@ impl RollingProblem {
             model: "the entry rule",
             quantity: "a pressure without a gap (value: the largest pressure)",
             value: pressure.max(),
-            remedy: "give a solved normal contact, or select the entry rule of the whole step in the problem",
+            remedy: "give a solved normal contact, or create the contact with the entry rule of the whole step",
         })
     }
 

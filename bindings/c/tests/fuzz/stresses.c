@@ -67,7 +67,7 @@ void forms(struct run *run) {
     stickslip_kalker kalker;
     stickslip_vermeulen_johnson curve;
     stickslip_statistics statistics;
-    switch (below(run, 8)) {
+    switch (below(run, 9)) {
     case 0:
         SEEN(stickslip_hertz_sphere(bodies, number(run, 5.0), number(run, 1.0), maybe_out(run, &hertz)));
         break;
@@ -94,6 +94,16 @@ void forms(struct run *run) {
     case 6:
         SEEN(stickslip_surface_statistics(maybe(run, &grid), maybe(run, heights), count, maybe_out(run, &statistics)));
         break;
+    case 7: {
+        const struct slot *of = pick(run, BODIES);
+        size_t both = 2 * of->cells;
+        double *along = array(run, &both, 0.1);
+        double *along_x = maybe_out(run, along), *along_y = maybe_out(run, along + both / 2);
+        SEEN(stickslip_bulk_strain(GET(stickslip_half_space, of), number(run, 1e-3), number(run, 1e-3), number(run, 1e-3),
+                                   along_x, along_y, both / 2));
+        free(along);
+        break;
+    }
     default: {
         stickslip_self_affine recipe = stickslip_self_affine_default();
         bool has_height = below(run, 2) == 0;
