@@ -20,6 +20,7 @@ mod function;
 mod grid;
 mod half_space;
 mod history;
+mod images;
 mod influence;
 mod io;
 mod kernel;
@@ -98,12 +99,12 @@ mod _stickslip {
             LoopPoints, Rolling, State, StepErrorEstimate, StepResult, archard, energy,
             max_stable_cycles, threshold_energy,
         },
+        images::{PvdWriter, vti_to_bytes, vti_write},
         influence::{Rectangle, Table, Tensor},
         io::{
-            PvdWriter, asc_parse, asc_read, csv_parse, csv_read, csv_to_bytes, csv_write, npy_grid,
-            npy_parse, npy_read, npy_to_bytes, npy_write, read, sdf_parse, sdf_read, sdf_to_bytes,
-            sdf_write, sur_parse, sur_read, vti_to_bytes, vti_write, x3p_parse, x3p_read,
-            xyz_parse, xyz_read,
+            asc_parse, asc_read, csv_parse, csv_read, csv_to_bytes, csv_write, npy_grid, npy_parse,
+            npy_read, npy_to_bytes, npy_write, read, sdf_parse, sdf_read, sdf_to_bytes, sdf_write,
+            sur_parse, sur_read, x3p_parse, x3p_read, xyz_parse, xyz_read,
         },
         kernel::Kernel,
         layers::{Layer, WaveResponse},
