@@ -1,26 +1,24 @@
-//! Fields on a grid and arguments that are converted to fields.
+//! Fields on a grid.
 
 use std::sync::Arc;
 
-use numpy::{IntoPyArray, PyUntypedArray};
+use numpy::IntoPyArray;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pyclass::CompareOp;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyTuple};
 use stickslip::Error;
 
-use crate::argument::{Object, argument};
+use crate::argument::Object;
 use crate::array::{Array, mask, view};
-use crate::conversion::{entries, kind_of};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
+use crate::numpy_functions::{apply_to_arrays, apply_to_fields, as_numpy, reduced_by};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::real::{
-    Count, by_axis, check_coordinates, in_axes, is_no_mask, is_no_truth_value, is_real, misshapen,
-    plane, shape_error, unnamed, wrong_type,
-};
-use crate::unit::{Unit, factor, is_same, known, of_next_gap, one_of};
+use crate::real::Count;
+use crate::samples::Samples;
+use crate::unit::{Unit, factor, is_same, known, one_of};
 use crate::xarray::only_first_operand;
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -113,7 +111,7 @@ impl Field {
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
-        is_no_truth_value(&samples.0, "samples")?;
+        samples.check_no_truth_value("samples")?;
         let unit = one_of([unit.map(known).transpose()?, samples.unit()?])?;
         let field = samples.only_on(py, "samples", grid.0)?;
         Ok(Self(field, unit))
@@ -167,7 +165,7 @@ impl Field {
 
     /// A read-only array of shape (ny, nx) on the memory of the field, without a copy.
     #[getter]
-    fn array<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+    pub(crate) fn array<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |field| &field.0)
     }
 
@@ -275,52 +273,7 @@ impl Field {
         inputs: Vec<Bound<'py, PyAny>>,
         kwargs: Option<Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let output = kwargs
-            .as_ref()
-            .and_then(|kwargs| kwargs.get_item("out").ok().flatten());
-        let outputs = output.map(|output| output.try_iter()?.collect::<PyResult<Vec<_>>>());
-        let is_changed = |place: &Bound<'py, PyAny>| place.cast::<Self>().is_ok();
-        let is_output = outputs
-            .transpose()?
-            .is_some_and(|all| all.iter().any(is_changed));
-        if is_output || method == "at" && inputs.first().is_some_and(is_changed) {
-            return Err(unnamed(
-                slf.py(),
-                "ArgumentType",
-                "a Field does not change: give numpy.array(field), a copy, as the output",
-            ));
-        }
-        let name: String = ufunc.getattr("__name__")?.extract()?;
-        if let ("__call__", [left, right], None) = (method, &inputs[..], &kwargs) {
-            let reflected = match &name[..] {
-                "add" => Some("__radd__"),
-                "subtract" => Some("__rsub__"),
-                "multiply" => Some("__rmul__"),
-                "divide" | "true_divide" => Some("__rtruediv__"),
-                "power" => Some("__rpow__"),
-                _ => None,
-            };
-            if let Some(reflected) = reflected.filter(|_| right.is(slf)) {
-                return slf.call_method1(reflected, (left,));
-            }
-        }
-        if method == "__call__" {
-            on_one_grid(slf.py(), &inputs)?;
-        }
-        if !IGNORE_UNITS.contains(&&name[..]) {
-            one_of(
-                inputs
-                    .iter()
-                    .map(|input| field_of(input).and_then(|field| field.1)),
-            )?;
-        }
-        let grid = slf.get().0.grid();
-        let arrays = inputs.into_iter().map(|input| match input.cast::<Self>() {
-            Ok(field) => Ok(Self::array(field).0),
-            Err(_) => in_axes(&input, "operand", Some([grid.dx(), grid.dy()])),
-        });
-        let arrays = PyTuple::new(slf.py(), arrays.collect::<PyResult<Vec<_>>>()?)?;
-        ufunc.getattr(method)?.call(arrays, kwargs.as_ref())
+        apply_to_fields(slf, &ufunc, method, inputs, kwargs.as_ref())
     }
 
     /// Implements NumPy functions that are not ufuncs, such as ``numpy.stack``, in the same way.
@@ -476,32 +429,6 @@ const PRODUCT: Operation = ("multiply", |left, right| left * right);
 const QUOTIENT: Operation = ("divide", |left, right| left / right);
 const POWER: Operation = ("power", f64::powf);
 
-/// NumPy functions that accept operands of different units: products, quotients, powers and logic, as in the arithmetic of
-/// fields.
-const IGNORE_UNITS: [&str; 21] = [
-    "multiply",
-    "divide",
-    "true_divide",
-    "matmul",
-    "power",
-    "float_power",
-    "logical_and",
-    "logical_or",
-    "logical_xor",
-    "dot",
-    "vdot",
-    "inner",
-    "outer",
-    "tensordot",
-    "einsum",
-    "kron",
-    "cross",
-    "convolve",
-    "correlate",
-    "cov",
-    "corrcoef",
-];
-
 impl Field {
     /// Wraps a field computed from surfaces in this unit.
     pub(crate) fn made(field: stickslip::Field, unit: Option<Unit>) -> Self {
@@ -587,27 +514,6 @@ pub(crate) fn same_grid(
     })
 }
 
-/// Returns the result of a NumPy function of the samples. Without arguments, it is the result of the crate, if there is one.
-fn reduced_by<'py>(
-    slf: &Bound<'py, Field>,
-    function: &str,
-    plain: Option<fn(&stickslip::Field) -> f64>,
-    arguments: &Bound<'py, PyTuple>,
-    options: Option<&Bound<'py, PyDict>>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let py = slf.py();
-    let is_none = |(_, value): (_, Bound<'py, PyAny>)| value.is_none();
-    let is_plain =
-        arguments.is_empty() && options.is_none_or(|options| options.iter().all(is_none));
-    if let Some(plain) = plain.filter(|_| is_plain) {
-        return Ok(PyFloat::new(py, plain(&slf.get().0)).into_any());
-    }
-    let samples = std::iter::once(Field::array(slf).0);
-    let all: Vec<_> = samples.chain(arguments.iter()).collect();
-    let function = py.import("numpy")?.getattr(function)?;
-    function.call(PyTuple::new(py, all)?, options)
-}
-
 /// Returns an error if the third argument of ``pow`` is given.
 fn without_modulo(modulo: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     match modulo {
@@ -616,406 +522,4 @@ fn without_modulo(modulo: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
             "the power of a field takes no modulus",
         )),
     }
-}
-
-/// Returns a field, or the heights of a surface.
-fn field_of(object: &Bound<'_, PyAny>) -> Option<Field> {
-    let heights = object.getattr("heights").ok();
-    let field = heights.as_ref().unwrap_or(object).cast::<Field>();
-    field.ok().map(|field| field.get().clone())
-}
-
-/// Returns an error if fields or surfaces, which a NumPy function combines cell by cell, are on different grids.
-fn on_one_grid(py: Python<'_>, operands: &[Bound<'_, PyAny>]) -> PyResult<()> {
-    let mut grids = operands
-        .iter()
-        .filter_map(field_of)
-        .map(|field| field.0.grid());
-    let Some(first) = grids.next() else {
-        return Ok(());
-    };
-    grids.try_for_each(|grid| same_grid(first, grid, "operand").or_raise(py))
-}
-
-/// Applies a NumPy function to operands of which some have heights. Each is replaced by its heights, a field with a unit.
-pub(crate) fn apply_to_heights<'py>(
-    ufunc: &Bound<'py, PyAny>,
-    method: &str,
-    inputs: Vec<Bound<'py, PyAny>>,
-    kwargs: Option<&Bound<'py, PyDict>>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let fields = inputs
-        .into_iter()
-        .map(|input| match input.getattr("heights") {
-            Ok(heights) if heights.is_instance_of::<Field>() => heights,
-            _ => input,
-        });
-    let fields = PyTuple::new(ufunc.py(), fields.collect::<Vec<_>>())?;
-    ufunc.getattr(method)?.call(fields, kwargs)
-}
-
-/// Calls a NumPy function with the arrays of all fields and surfaces among its arguments, also in tuples and lists. Surfaces of
-/// different units are rejected.
-pub(crate) fn apply_to_arrays<'py>(
-    function: &Bound<'py, PyAny>,
-    arguments: &Bound<'py, PyAny>,
-    options: &Bound<'py, PyDict>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let name: String = function.getattr("__name__")?.extract()?;
-    if name == "where" {
-        on_one_grid(function.py(), &arguments.extract::<Vec<_>>()?)?;
-    }
-    let mut units = Vec::new();
-    let arguments = as_arrays(arguments, &mut units)?;
-    let plain = PyDict::new(function.py());
-    for (name, value) in options {
-        plain.set_item(name, as_arrays(&value, &mut units)?)?;
-    }
-    if !IGNORE_UNITS.contains(&&name[..]) {
-        one_of(units)?;
-    }
-    function.call(arguments.cast::<PyTuple>()?, Some(&plain))
-}
-
-/// Replaces fields and surfaces by their arrays, and collects their units. The axes of arrays of xarray are recognised by name.
-fn as_arrays<'py>(
-    value: &Bound<'py, PyAny>,
-    units: &mut Vec<Option<Unit>>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let heights = value.getattr("heights").ok();
-    if let Ok(field) = heights.as_ref().unwrap_or(value).cast::<Field>() {
-        units.push(field.get().1.clone());
-        return Ok(Field::array(field).0);
-    }
-    let Some(parts) = entries(value) else {
-        return in_axes(value, "operand", None);
-    };
-    let parts: PyResult<Vec<_>> = parts.iter().map(|part| as_arrays(&part, units)).collect();
-    let parts = PyTuple::new(value.py(), parts?)?;
-    Ok(if value.is_instance_of::<PyTuple>() {
-        parts.into_any()
-    } else {
-        parts.to_list().into_any()
-    })
-}
-
-/// Returns an array in the form that NumPy requests by the method ``__array__``.
-pub(crate) fn as_numpy<'py>(
-    array: Bound<'py, PyAny>,
-    dtype: Option<Bound<'py, PyAny>>,
-    copy: Option<bool>,
-) -> PyResult<Bound<'py, PyAny>> {
-    if dtype.is_none() && copy != Some(true) {
-        return Ok(array);
-    }
-    let options = PyDict::new(array.py());
-    options.set_item("copy", copy.unwrap_or(false))?;
-    let dtype = match dtype {
-        Some(dtype) => dtype,
-        None => array.getattr("dtype")?,
-    };
-    array.call_method("astype", (dtype,), Some(&options))
-}
-
-argument! {
-    /// Argument that is converted to a field: a field, an array of shape (ny, nx), one number for all cells, or a
-    /// topography object with heights and sizes.
-    Samples: Field
-}
-
-impl Samples<'_> {
-    /// Returns the samples as a field on this grid. A field on a different grid is passed on unchanged; the crate then
-    /// rejects it and names both grids.
-    pub(crate) fn on(
-        &self,
-        py: Python<'_>,
-        quantity: &str,
-        grid: stickslip::Grid,
-    ) -> PyResult<Arc<stickslip::Field>> {
-        if let Some(field) = self.field() {
-            return Ok(field);
-        }
-        if self.is_topography()? {
-            return Err(PyTypeError::new_err(format!(
-                "{quantity} is a topography, whose heights point out of its body: \
-                 convert it to a gap by surface.gap_from_heights(topography)"
-            )));
-        }
-        if self.has_heights() {
-            // The heights themselves as a gap would press the valleys together instead of the peaks.
-            let remedy = match quantity {
-                "gap" => "convert them to a gap by surface.gap_from_heights(rough.heights)",
-                _ => "give its .heights",
-            };
-            return Err(PyTypeError::new_err(format!(
-                "{quantity} is a {}, which has heights: {remedy}",
-                kind_of(&self.0)
-            )));
-        }
-        is_real(&self.0, quantity)?;
-        if let Some(value) = self.number() {
-            return Ok(Arc::new(stickslip::Field::constant(grid, value)));
-        }
-        let samples = plane(&self.0, quantity, grid)?;
-        let samples = samples.as_array();
-        if samples.dim() != (grid.ny(), grid.nx()) {
-            let (rows, columns) = samples.dim();
-            return Err(misshapen(py, quantity, grid, &[rows, columns]));
-        }
-        check_coordinates(&self.0, quantity, Some([grid.dx(), grid.dy()]))?;
-        let samples = match samples.as_slice() {
-            Some(samples) => samples.to_vec(),
-            None => samples.iter().copied().collect(),
-        };
-        // The crate rejects a grid of the array that differs from the grid of the call.
-        let grid = self.own_grid().unwrap_or(grid);
-        let field = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
-        Ok(Arc::new(field))
-    }
-
-    /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a field on a different grid.
-    pub(crate) fn only_on(
-        &self,
-        py: Python<'_>,
-        quantity: &'static str,
-        grid: stickslip::Grid,
-    ) -> PyResult<Arc<stickslip::Field>> {
-        let field = self.on(py, quantity, grid)?;
-        same_grid(grid, field.grid(), quantity).or_raise(py)?;
-        Ok(field)
-    }
-
-    /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number. For a gap or a pressure, a
-    /// number is more likely the next argument, such as a coefficient of friction, than a uniform field.
-    pub(crate) fn per_cell(
-        &self,
-        py: Python<'_>,
-        quantity: &str,
-        grid: stickslip::Grid,
-    ) -> PyResult<Arc<stickslip::Field>> {
-        self.per_cell_or(py, quantity, grid, "")
-    }
-
-    /// Returns the samples as a gap with its unit, as [`per_cell`](Self::per_cell).
-    pub(crate) fn gap(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Field> {
-        Ok(Field(self.per_cell(py, "gap", grid)?, self.unit()?))
-    }
-
-    /// Returns the samples as a gap, as [`gap`](Self::gap), of a constructor whose next argument is friction.
-    pub(crate) fn gap_before_friction(
-        &self,
-        py: Python<'_>,
-        grid: stickslip::Grid,
-    ) -> PyResult<Field> {
-        let gap = self.per_cell_or(py, "gap", grid, ", and friction after the gap")?;
-        Ok(Field(gap, self.unit()?))
-    }
-
-    /// Returns the samples as a gap that replaces a gap of this unit, or an error if the units differ.
-    pub(crate) fn next_gap(
-        &self,
-        py: Python<'_>,
-        grid: stickslip::Grid,
-        last: Option<&Unit>,
-    ) -> PyResult<Field> {
-        let Field(gap, unit) = self.gap(py, grid)?;
-        Ok(Field(gap, of_next_gap(last, unit)?))
-    }
-
-    /// Returns the samples as [`per_cell`](Self::per_cell), with an addition to the remedy for a single number.
-    fn per_cell_or(
-        &self,
-        py: Python<'_>,
-        quantity: &str,
-        grid: stickslip::Grid,
-        order: &str,
-    ) -> PyResult<Arc<stickslip::Field>> {
-        if let Some(number) = self.number() {
-            let message = format!(
-                "must be a Field or an array of shape (ny, nx), got the number {}: for a uniform {quantity} give Field(grid, {0}){order}",
-                short(number)
-            );
-            return Err(wrong_type(py, quantity, &message));
-        }
-        is_no_mask(&self.0, quantity)?;
-        self.on(py, quantity, grid)
-    }
-
-    /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number and an array of one number
-    /// on a larger grid. Such a number is more likely the total or the largest value of a quantity that differs between cells.
-    pub(crate) fn of_each_cell(
-        &self,
-        py: Python<'_>,
-        quantity: &str,
-        grid: stickslip::Grid,
-        remedy: &str,
-    ) -> PyResult<Arc<stickslip::Field>> {
-        // Arrays of NumPy with one entry have this method.
-        let entry = || self.0.call_method0("item").ok()?.extract().ok();
-        let number: Option<f64> = self.number().or_else(entry);
-        match number.filter(|_| grid.cells() > 1) {
-            Some(number) => {
-                let message = format!(
-                    "{quantity} is the number {}, expected an array of shape (ny, nx) = {:?}: {remedy}",
-                    short(number),
-                    (grid.ny(), grid.nx())
-                );
-                let shape: Option<Vec<usize>> = self
-                    .0
-                    .getattr("shape")
-                    .and_then(|shape| shape.extract())
-                    .ok();
-                Err(shape_error(
-                    py,
-                    quantity,
-                    grid,
-                    &shape.unwrap_or_default(),
-                    &message,
-                ))
-            }
-            None => self.on(py, quantity, grid),
-        }
-    }
-
-    /// Returns the single number, if the argument is one. An array with one entry gives no value for other cells.
-    pub(crate) fn number(&self) -> Option<f64> {
-        let dimensions = self.0.getattr("ndim").and_then(|count| count.extract());
-        let is_array = dimensions.is_ok_and(|count: usize| count > 0);
-        if is_array {
-            None
-        } else {
-            self.0.extract().ok()
-        }
-    }
-
-    /// Returns the shape of an array.
-    pub(crate) fn shape(&self) -> Option<(usize, usize)> {
-        by_axis(&self.0).ok()?.getattr("shape").ok()?.extract().ok()
-    }
-
-    /// Returns one number or a field on this grid; without a grid, on the field's own grid. A field on a different grid is
-    /// rejected.
-    pub(crate) fn spread(
-        &self,
-        py: Python<'_>,
-        quantity: &'static str,
-        grid: Option<&Grid>,
-    ) -> PyResult<Spread> {
-        is_real(&self.0, quantity)?;
-        is_no_mask(&self.0, quantity)?;
-        match self.number() {
-            Some(value) => Ok(Spread::Uniform(value)),
-            None => self
-                .only_on(py, quantity, grid_of(grid, &[self])?)
-                .map(Spread::PerCell),
-        }
-    }
-
-    /// Returns the samples as a field on their own grid.
-    pub(crate) fn alone(&self, quantity: &str) -> PyResult<Arc<stickslip::Field>> {
-        self.alone_or(quantity, ": create a Field by Field(grid, array)")
-    }
-
-    /// Returns the samples as [`alone`](Self::alone), with the remedy for an array.
-    pub(crate) fn alone_or(&self, quantity: &str, remedy: &str) -> PyResult<Arc<stickslip::Field>> {
-        self.known()?.ok_or_else(|| {
-            let instead = if self.has_heights() {
-                format!(", got {}: give its .heights", kind_of(&self.0))
-            } else if self.0.hasattr("dims").unwrap_or(false) {
-                ": convert an array of xarray by io.from_xarray(array)".into()
-            } else {
-                remedy.into()
-            };
-            PyTypeError::new_err(format!(
-                "{quantity} must be a Field or a topography, which contain their grid{instead}"
-            ))
-        })
-    }
-
-    /// Returns the unit of the lengths of a field, a topography or an array of xarray, if it states one. The unit of another
-    /// quantity, such as a pressure, is ignored.
-    pub(crate) fn unit(&self) -> PyResult<Option<Unit>> {
-        if let Ok(field) = self.0.cast::<Field>() {
-            return Ok(field.get().1.clone());
-        }
-        if self.0.hasattr("dims")? && self.0.hasattr("attrs")? {
-            let unit = self.0.getattr("attrs")?.call_method1("get", ("units",))?;
-            return Ok(unit
-                .extract()
-                .ok()
-                .and_then(|unit: String| known(&unit).ok()));
-        }
-        if !self.is_topography()? || !self.0.hasattr("unit")? {
-            return Ok(None);
-        }
-        let unit = self.0.getattr("unit")?;
-        if unit.is_none() {
-            return Ok(None);
-        }
-        known(unit.str()?.to_str()?).map(Some)
-    }
-
-    /// Returns the grid of an array that contains it, as the array of the energies of cells.
-    fn own_grid(&self) -> Option<stickslip::Grid> {
-        let array = self.0.cast::<PyUntypedArray>().ok()?;
-        let grid = array.getattr("grid").ok()?;
-        grid.cast::<Grid>().ok().map(|grid| grid.get().0)
-    }
-
-    fn field(&self) -> Option<Arc<stickslip::Field>> {
-        let field = self.0.cast::<Field>().ok()?;
-        Some(Arc::clone(&field.get().0))
-    }
-
-    /// Returns whether the object is a rough, filled or levelled surface of the package, which has heights.
-    fn has_heights(&self) -> bool {
-        let heights = self.0.getattr("heights");
-        heights.is_ok_and(|heights| heights.is_instance_of::<Field>())
-    }
-
-    fn is_topography(&self) -> PyResult<bool> {
-        Ok(self.0.hasattr("heights")? && self.0.hasattr("physical_sizes")?)
-    }
-
-    fn known(&self) -> PyResult<Option<Arc<stickslip::Field>>> {
-        if let Some(field) = self.field() {
-            return Ok(Some(field));
-        }
-        if self.is_topography()? {
-            let module = self.0.py().import("stickslip.surface")?;
-            let field = module.call_method1("from_topography", (&self.0,))?;
-            return Ok(Some(Arc::clone(&field.cast::<Field>()?.get().0)));
-        }
-        match self.own_grid() {
-            Some(grid) => self.on(self.0.py(), "samples", grid).map(Some),
-            None => Ok(None),
-        }
-    }
-}
-
-/// Returns the common unit of surfaces, or an error if two units differ. Surfaces without a unit are ignored.
-pub(crate) fn one_unit(fields: &[&Samples<'_>]) -> PyResult<Option<Unit>> {
-    let units: PyResult<Vec<_>> = fields.iter().map(|field| field.unit()).collect();
-    one_of(units?)
-}
-
-/// One number for all cells, or one number per cell.
-pub(crate) enum Spread {
-    Uniform(f64),
-    PerCell(Arc<stickslip::Field>),
-}
-
-/// Returns the given grid, or the grid of the first field that has one.
-pub(crate) fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<stickslip::Grid> {
-    if let Some(grid) = grid {
-        return Ok(grid.0);
-    }
-    for field in fields {
-        if let Some(field) = field.known()? {
-            return Ok(field.grid());
-        }
-    }
-    Err(PyTypeError::new_err(
-        "an array does not contain the sides of its cells: give grid= (such as history.grid or solution.grid), or a Field",
-    ))
 }

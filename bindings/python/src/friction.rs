@@ -9,10 +9,10 @@ use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 use crate::argument::{Object, argument};
 use crate::digits::short;
 use crate::error::OrRaise;
-use crate::field::{Samples, Spread};
 use crate::grid::Grid;
 use crate::pickle::picklable;
 use crate::real::Real;
+use crate::samples::{Samples, Spread};
 
 /// Coulomb friction with a uniform coefficient or one coefficient per cell, and with an optional cap: the friction limit
 /// of a cell is ``min(mu p, tau_max)``.

@@ -13,9 +13,10 @@ use crate::argument::Object;
 use crate::conversion::{entries, kind_of};
 use crate::digits::counted;
 use crate::error::OrRaise;
-use crate::field::{Samples, same_grid};
+use crate::field::same_grid;
 use crate::grid::Grid;
 use crate::real::{Real, is_plane, out_of_range};
+use crate::samples::Samples;
 use crate::solution_pool::lock;
 
 /// Scalar and vector fields by name.

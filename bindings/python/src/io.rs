@@ -11,9 +11,10 @@ use stickslip::io::{self, Sides};
 use crate::content::Content;
 use crate::conversion;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::grid::Grid;
 use crate::real::{Count, Real};
+use crate::samples::Samples;
 use crate::unit::{Unit, factor, known, one_of};
 
 /// Returns the sides of a cell or of the grid, for files that do not state them.

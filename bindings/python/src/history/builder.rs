@@ -9,12 +9,13 @@ use stickslip::{Axis, Coupling, TangentialModel, cgm};
 
 use crate::argument::Object;
 use crate::choice::Choice;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::friction::{AnyFriction, warn_of_lost_cap};
 use crate::half_space::HalfSpace;
 use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
 use crate::real::{Count, Real};
+use crate::samples::Samples;
 use crate::settings::{Settings, chosen};
 use crate::solution_pool::lock;
 use crate::tangential::RelativeDisplacement;

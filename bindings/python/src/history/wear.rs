@@ -11,11 +11,11 @@ use crate::argument::Object;
 use crate::array::{Array, copy};
 use crate::digits::short;
 use crate::error::{OrRaise, named};
-use crate::field::{Samples, Spread, grid_of};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
 use crate::real::Real;
+use crate::samples::{Samples, Spread, grid_of};
 use crate::unit::one_of;
 use crate::work::unobserved_on;
 

@@ -8,10 +8,11 @@ use stickslip::normal::Hardness as Limit;
 use crate::argument::{Object, argument};
 use crate::digits::short;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples, Spread};
+use crate::field::Field;
 use crate::grid::Grid;
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
+use crate::samples::{Samples, Spread};
 
 /// The largest pressure that the softer body can carry, for all cells or for each cell. Cells at this pressure yield.
 ///

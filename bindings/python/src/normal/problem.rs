@@ -8,13 +8,14 @@ use stickslip::{NormalLoad, cgm};
 
 use crate::argument::Object;
 use crate::choice::Choice;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, Hardness, NormalSolution, NormalSolver};
 use crate::pickle::Recipe;
 use crate::real::{Count, Real};
+use crate::samples::Samples;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::work::unobserved_on;

@@ -12,10 +12,10 @@ use stickslip::subsurface::Tractions;
 
 use crate::conversion::{entries, kind_of};
 use crate::coupled::CoupledSolution;
-use crate::field::Samples;
 use crate::history::{History, State};
 use crate::normal::NormalSolution;
 use crate::real::is_plane;
+use crate::samples::Samples;
 use crate::subsurface::Stress;
 use crate::tangential::TangentialSolution;
 

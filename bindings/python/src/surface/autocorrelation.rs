@@ -4,10 +4,11 @@ use pyo3::prelude::*;
 use stickslip::surface;
 
 use crate::digits::short;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::pickle::picklable;
 use crate::readers::record;
 use crate::real::Real;
+use crate::samples::Samples;
 use crate::work::unobserved_on;
 
 /// Threshold of the parameters by default (ISO 25178-3).

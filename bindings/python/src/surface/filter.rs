@@ -5,8 +5,9 @@ use pyo3::prelude::*;
 use stickslip::surface::{self, GaussianFilter};
 
 use crate::digits::short;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::real::Real;
+use crate::samples::Samples;
 use crate::surface::processed::processed;
 use crate::unit::Unit;
 use crate::work::unobserved_on;

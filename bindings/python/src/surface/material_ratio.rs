@@ -5,9 +5,9 @@ use stickslip::surface;
 
 use crate::analytical::coordinates::{Coordinates, Values};
 use crate::digits::short;
-use crate::field::Samples;
 use crate::pickle::picklable;
 use crate::readers::{iso_names, readers};
+use crate::samples::Samples;
 use crate::work::unobserved_on;
 
 /// The areal material ratio curve (Abbott-Firestone curve) of a surface, and the parameters of its core, peaks and valleys

@@ -5,8 +5,9 @@ use stickslip::surface::{self, OutlierFilter};
 
 use crate::array::{Array, mask};
 use crate::digits::counted;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::real::{Count, Real};
+use crate::samples::Samples;
 use crate::surface::processed::processed;
 use crate::unit::Unit;
 use crate::work::unobserved_on;

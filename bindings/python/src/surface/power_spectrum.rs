@@ -5,8 +5,8 @@ use stickslip::surface;
 
 use crate::array::{Array, view_slice};
 use crate::digits::short;
-use crate::field::Samples;
 use crate::pickle::picklable;
+use crate::samples::Samples;
 use crate::surface::numbers;
 use crate::work::unobserved_on;
 

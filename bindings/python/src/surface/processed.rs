@@ -19,7 +19,7 @@ macro_rules! processed {
                 copy: Option<bool>,
             ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::PyAny>> {
                 let heights = crate::array::view(slf, |surface| surface.0.heights());
-                crate::field::as_numpy(heights.0, dtype, copy)
+                crate::numpy_functions::as_numpy(heights.0, dtype, copy)
             }
 
             /// Implements NumPy functions of the heights. Operands of different units are rejected.
@@ -31,7 +31,7 @@ macro_rules! processed {
                 inputs: Vec<pyo3::Bound<'py, pyo3::PyAny>>,
                 kwargs: Option<pyo3::Bound<'py, pyo3::types::PyDict>>,
             ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::PyAny>> {
-                crate::field::apply_to_heights(&ufunc, method, inputs, kwargs.as_ref())
+                crate::numpy_functions::apply_to_heights(&ufunc, method, inputs, kwargs.as_ref())
             }
 
             /// Implements other NumPy functions of the heights, in the same way.
@@ -42,7 +42,7 @@ macro_rules! processed {
                 arguments: &pyo3::Bound<'py, pyo3::PyAny>,
                 options: &pyo3::Bound<'py, pyo3::types::PyDict>,
             ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::PyAny>> {
-                crate::field::apply_to_arrays(function, arguments, options)
+                crate::numpy_functions::apply_to_arrays(function, arguments, options)
             }
 
             fn __reduce__<'py>(

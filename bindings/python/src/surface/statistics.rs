@@ -4,9 +4,9 @@ use pyo3::prelude::*;
 use stickslip::surface;
 
 use crate::digits::in_python;
-use crate::field::Samples;
 use crate::pickle::picklable;
 use crate::readers::{iso_names, readers};
+use crate::samples::Samples;
 use crate::sequence::pair;
 use crate::surface::numbers;
 use crate::work::unobserved_on;

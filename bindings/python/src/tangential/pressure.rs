@@ -6,8 +6,9 @@ use pyo3::prelude::*;
 use stickslip::PressureSource;
 
 use crate::argument::argument;
-use crate::field::{Field, Samples};
+use crate::field::Field;
 use crate::normal::NormalSolution;
+use crate::samples::Samples;
 
 argument! {
     /// Pressure argument: a solved normal contact, or a field.

@@ -9,9 +9,10 @@ use crate::argument::{Object, by_value};
 use crate::array::{Array, view};
 use crate::conversion;
 use crate::error::OrRaise;
-use crate::field::{Samples, grid_of, same_grid};
+use crate::field::same_grid;
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
+use crate::samples::{Samples, grid_of};
 use crate::unit::one_of;
 
 /// A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
