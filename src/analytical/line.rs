@@ -113,10 +113,11 @@ impl HertzLine {
     /// \delta = \frac{P}{\pi E^*}\left(2\ln\frac{2d}{a} + 1\right) .
     /// ```
     ///
-    /// The datum d > 0 must be large compared with a. The approach is then positive. The formula is the integral of
-    /// Johnson (1985), 2.24, over the pressure.
+    /// The datum d > 0 must be large compared with a. The approach is then positive. It is NaN if the datum is zero or negative.
+    /// The formula is the integral of Johnson (1985), 2.24, over the pressure.
     #[must_use]
     pub fn approach(&self, datum: f64) -> f64 {
+        let datum = if datum > 0.0 { datum } else { f64::NAN };
         self.displacement * (2.0 * (2.0 * datum / self.half_width).ln() + 1.0)
     }
 
@@ -129,7 +130,9 @@ impl HertzLine {
     }
 
     /// Returns the stresses `[xx, zz, xz]` of body 1 (pressures, positive in tension) at `x` and at the depth `depth`
-    /// below its surface (a length, zero or more). The stresses of body 2 at the same depth differ by the sign of `xz`.
+    /// below its surface (a length). They are NaN for a negative depth. The stresses of body 2 at the same depth differ by the sign of
+    /// `xz`.
+    ///
     /// With $`m^2 - n^2 = a^2 - x^2 + z^2`$ and $`mn = xz`$, $`m \ge 0`$:
     ///
     /// ```math
@@ -141,6 +144,9 @@ impl HertzLine {
     /// M'Ewen (1949); Johnson (1985), 4.49.
     #[must_use]
     pub fn stress(&self, x: f64, depth: f64) -> [f64; 3] {
+        if depth < 0.0 {
+            return [f64::NAN; 3];
+        }
         let a = self.half_width;
         line_stress::of_pressure(x / a, depth / a).map(|stress| self.max_pressure * stress)
     }

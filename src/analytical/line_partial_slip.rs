@@ -152,7 +152,8 @@ impl CattaneoMindlinLine {
     }
 
     /// Returns the shift (a length), which is the rigid motion of body 2 relative to body 1 along x. It refers to the
-    /// [datum](crate::Boundary::PeriodicAlongY) d (a length). The displacement due to the strain is zero at x = 0:
+    /// [datum](crate::Boundary::PeriodicAlongY) d (a length), and is NaN if d is zero or negative. The displacement due to the strain
+    /// is zero at x = 0:
     ///
     /// ```math
     /// \delta_x = \pm\frac{\mu P}{\pi E^*}\left[f\left(2\ln\frac{2d}{a} + 1\right) + (1-f)\ln(1-f)
@@ -245,8 +246,10 @@ impl CattaneoMindlinLine {
     }
 
     /// Returns the stresses `[xx, zz, xz]` of body 1 and of body 2 (pressures, positive in tension) at `x` and at the
-    /// depth `depth` below their surfaces (a length, zero or more). The stresses include the [bulk
-    /// stress](Self::with_bulk_stress). With m and n as defined in [`HertzLine::stress`], the traction $`q_0 \sqrt{1 -
+    /// depth `depth` below their surfaces (a length). They are NaN for a negative depth. The stresses include the [bulk
+    /// stress](Self::with_bulk_stress).
+    ///
+    /// With m and n as defined in [`HertzLine::stress`], the traction $`q_0 \sqrt{1 -
     /// x^2/a^2}`$ on body 1 adds
     ///
     /// ```math
@@ -258,6 +261,9 @@ impl CattaneoMindlinLine {
     /// and the stick strip adds the same terms with its own amplitude, half-width and centre. Johnson (1985), 7.2.
     #[must_use]
     pub fn stress(&self, x: f64, depth: f64) -> [[f64; 3]; 2] {
+        if depth < 0.0 {
+            return [[f64::NAN; 3]; 2];
+        }
         let (a, c) = (self.hertz.half_width(), self.stick_half_width());
         let limit = self.held.direction * self.held.friction * self.hertz.max_pressure();
         let mut shear = line_stress::of_traction(x / a, depth / a);

@@ -135,7 +135,8 @@ impl Autocorrelation {
     }
 
     /// Returns the autocorrelation length Sal (a length): the smallest distance over which the function falls to a
-    /// threshold, usually 0.2. Returns `None` if the function stays above the threshold at all lags.
+    /// threshold, usually 0.2. Returns `None` if the function stays above the threshold at all lags, or if the threshold is not
+    /// between 0 and 1.
     #[doc(alias = "Sal")]
     #[must_use]
     pub fn decay_length(&self, threshold: f64) -> Option<f64> {
@@ -143,7 +144,8 @@ impl Autocorrelation {
     }
 
     /// Returns the texture aspect ratio Str, from 0 to 1: the smallest divided by the largest distance over which the
-    /// function falls to a threshold, usually 0.2. Returns `None` if the function stays above the threshold at all lags.
+    /// function falls to a threshold, usually 0.2. Returns `None` if the function stays above the threshold at all lags, or if the
+    /// threshold is not between 0 and 1.
     #[doc(alias = "Str")]
     #[must_use]
     pub fn texture_aspect_ratio(&self, threshold: f64) -> Option<f64> {
@@ -153,6 +155,9 @@ impl Autocorrelation {
 
     /// Returns the smallest decay length, and the largest decay length or length of a ray without decay.
     fn shortest_and_longest(&self, threshold: f64) -> Option<[f64; 2]> {
+        if !(threshold > 0.0 && threshold < 1.0) {
+            return None;
+        }
         let [nx, ny] = self.values.grid().size().map(|cells| cells / 2);
         // The function is even. Half of the rays are sufficient. A profile has one ray.
         let top = (0..=2 * nx).filter(|&x| ny > 0 || x == 2 * nx);
@@ -280,6 +285,10 @@ mod tests {
         let ratio = found.texture_aspect_ratio(0.2).unwrap();
         let long = 20.0_f64.hypot(exact);
         assert!((ratio / (exact / long) - 1.0).abs() < 0.01, "{ratio}");
+        for threshold in [20.0, 1.0, 0.0, -0.2, f64::NAN] {
+            assert_eq!(found.decay_length(threshold), None);
+            assert_eq!(found.texture_aspect_ratio(threshold), None);
+        }
     }
 
     #[test]

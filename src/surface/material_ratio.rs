@@ -114,16 +114,15 @@ impl MaterialRatio {
     }
 
     /// Returns the inverse areal material ratio Smc(p): the height above the mean (a length) at a material ratio from 0 to 1.
-    /// The heights are interpolated linearly between the middles of the stairs. Ratios outside the range return the
-    /// highest or the deepest point.
+    /// The heights are interpolated linearly between the middles of the stairs. Other ratios, such as a ratio in per cent, return NaN.
     #[doc(alias = "Smc")]
     #[must_use]
     pub fn height(&self, material_ratio: f64) -> f64 {
-        let last = self.heights.len() - 1;
-        let place = (material_ratio * self.heights.len() as f64 - 0.5).clamp(0.0, last as f64);
-        if place.is_nan() {
+        if !(0.0..=1.0).contains(&material_ratio) {
             return f64::NAN;
         }
+        let last = self.heights.len() - 1;
+        let place = (material_ratio * self.heights.len() as f64 - 0.5).clamp(0.0, last as f64);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -322,7 +321,13 @@ mod tests {
             assert!(found.core_height().is_finite());
             assert!(!is_flat || found.core_height() == 0.0);
             assert!(found.height(0.5).abs() < f64::MIN_POSITIVE);
-            assert!(found.height(f64::NAN).is_nan() && found.material_ratio(f64::NAN).is_nan());
+            assert!(
+                [f64::NAN, -0.1, 50.0]
+                    .map(|ratio| found.height(ratio))
+                    .iter()
+                    .all(|height| height.is_nan())
+            );
+            assert!(found.material_ratio(f64::NAN).is_nan());
         }
         let missing = MaterialRatio::of(&profile(vec![f64::NAN; 3]));
         assert!(matches!(missing, Err(Error::Undetermined { known: 0, .. })));

@@ -52,7 +52,7 @@
 //! The example `sphere` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
-#[cfg(feature = "stiffness")]
+#[cfg(any(feature = "spots", feature = "stiffness", feature = "subsurface"))]
 mod consistency;
 pub(crate) mod entry_rule;
 mod friction;

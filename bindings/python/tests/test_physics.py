@@ -522,3 +522,20 @@ def test_edges_have_sub_cell_accuracy():
     assert 1e-3 < contact.discretisation_estimate < shear.discretisation_estimate < 0.05
     with pytest.raises(ss.errors.CellValueMismatch):
         contact.displacement(ss.HalfSpace(grid, (body, body)))
+
+
+def test_depths_and_fractions_out_of_range_are_rejected():
+    steel = ss.Material(210e3, 0.3)
+    line = ss.analytical.HertzLine((steel, steel), radius=10.0, load=100.0)
+    shear = ss.analytical.CattaneoMindlinLine(line, 0.3, 10.0)
+    for form in (line, shear):
+        with pytest.raises(ss.errors.ArgumentRange, match=r"depth must be zero or more, .*got -0\.1"):
+            form.stress(0.0, [0.1, -0.1])
+    grid = ss.Grid.square(32, 32.0)
+    heights = ss.surface.SelfAffine(rms_height=1.0, seed=1).generate(grid).heights
+    with pytest.raises(ss.errors.ArgumentRange, match=r"material_ratio must be a ratio from 0 to 1, got 10\.0"):
+        ss.surface.MaterialRatio(heights).height(10.0)
+    function = ss.surface.Autocorrelation(heights)
+    for measure in (function.decay_length, function.texture_aspect_ratio):
+        with pytest.raises(ss.errors.ArgumentRange, match="threshold must lie strictly between 0 and 1, got 20.0"):
+            measure(20.0)

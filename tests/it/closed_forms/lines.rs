@@ -240,3 +240,18 @@ fn surface_stress_matches_the_principal_value() -> Result<()> {
     }
     Ok(())
 }
+
+/// Functions of a depth above the surface and of a datum that is not positive have no value.
+#[test]
+fn values_outside_their_range_are_nan() -> Result<()> {
+    let (hertz, shear) = (roller()?, shear_roller(0.5, 0.05)?);
+    let is_nan = |stress: [f64; 3]| stress.iter().all(|part| part.is_nan());
+    let is_finite = |stress: [f64; 3]| stress.iter().all(|part| part.is_finite());
+    assert!(is_nan(hertz.stress(0.0, -1e-3)) && is_finite(hertz.stress(0.0, 0.0)));
+    assert!(shear.stress(0.0, -1e-3).into_iter().all(is_nan));
+    assert!(shear.stress(0.0, 0.0).into_iter().all(is_finite));
+    for datum in [0.0, -DATUM] {
+        assert!(hertz.approach(datum).is_nan() && shear.shift(datum).is_nan());
+    }
+    Ok(())
+}

@@ -519,13 +519,23 @@ class Autocorrelation:
     def decay_length(self, /, threshold: float = ...) -> float | None:
         """
         Returns the autocorrelation length Sal (a length): the smallest distance over which the function falls to a
-        threshold; ``None`` if it remains above the threshold at all lags.
+        threshold between 0 and 1; ``None`` if it remains above the threshold at all lags.
+
+        Raises
+        ------
+        ArgumentRange
+            If the threshold is not between 0 and 1.
         """
     def texture_aspect_ratio(self, /, threshold: float = ...) -> float | None:
         """
         Returns the texture aspect ratio Str, from 0 to 1: the smallest divided by the largest distance over which the
-        function falls to a threshold; ``None`` if it remains above the threshold at all lags. In directions in which the
-        function does not fall to the threshold, the largest lag is used, so the true ratio is smaller.
+        function falls to a threshold between 0 and 1; ``None`` if it remains above the threshold at all lags. In directions in which
+        the function does not fall to the threshold, the largest lag is used, so the true ratio is smaller.
+
+        Raises
+        ------
+        ArgumentRange
+            If the threshold is not between 0 and 1.
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
@@ -906,7 +916,7 @@ class CattaneoMindlinLine:
         Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, with the sign of the
         force, relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no
         displacement at x = 0. The magnitude of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 -
-        f) + 2 e^2/a^2).
+        f) + 2 e^2/a^2). It is NaN if the datum is zero or negative.
         """
     @property
     def stick_centre(self, /) -> float:
@@ -924,6 +934,11 @@ class CattaneoMindlinLine:
         Returns the stresses xx, zz and xz of body 1 and of body 2 at x and at a depth below the surface of each body
         (a length, zero or more). Stresses are pressures, positive in tension, and include the bulk stress. Johnson
         (1985), 7.2.
+
+        Raises
+        ------
+        ArgumentRange
+            If a depth is negative.
         """
     def surface_stress(self, /, x: ArrayLike) -> tuple[Any, Any]:
         """
@@ -3198,7 +3213,7 @@ class HertzLine:
         """
         Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
         length) of :meth:`Boundary.periodic_along_y`. The datum must be large compared with a; the approach is then
-        positive.
+        positive. It is NaN if the datum is zero or negative.
         """
     @property
     def half_width(self, /) -> float:
@@ -3234,6 +3249,11 @@ class HertzLine:
         Returns the stresses xx, zz and xz of body 1 at x and at a depth (a length, zero or more) below its surface
         (pressures, positive in tension). In body 2 at the same depth, xz has the opposite sign. M'Ewen (1949);
         Johnson (1985), 4.49.
+
+        Raises
+        ------
+        ArgumentRange
+            If a depth is negative.
         """
     def surface_stress(self, /, x: ArrayLike) -> Any:
         """
@@ -4614,6 +4634,11 @@ class MaterialRatio:
     def height(self, /, material_ratio: ArrayLike) -> Any:
         """
         Returns the inverse areal material ratio Smc(p): the heights above the mean (lengths) at material ratios from 0 to 1.
+
+        Raises
+        ------
+        ArgumentRange
+            If a ratio is not from 0 to 1, as a ratio in per cent.
         """
     def material_ratio(self, /, height: ArrayLike) -> Any:
         """

@@ -5,7 +5,7 @@ use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::real::{is_no_mask, is_real, numbers};
+use crate::real::{is_no_mask, is_real, numbers, out_of_range};
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
@@ -28,6 +28,35 @@ impl FromPyObject<'_, '_> for Coordinates {
 }
 
 impl Coordinates {
+    /// Returns an error if a coordinate is outside its range. Missing coordinates are in any range.
+    pub(crate) fn check(
+        self,
+        py: Python<'_>,
+        name: &str,
+        range: &str,
+        is_within: impl Fn(f64) -> bool,
+    ) -> PyResult<Self> {
+        match self
+            .0
+            .iter()
+            .find(|value| !value.is_nan() && !is_within(**value))
+        {
+            None => Ok(self),
+            Some(value) => Err(out_of_range(
+                py,
+                name,
+                &format!("must be {range}, got {value:?}"),
+            )),
+        }
+    }
+
+    /// Returns an error if a depth below the surface is negative.
+    pub(super) fn check_depth(self, py: Python<'_>) -> PyResult<Self> {
+        self.check(py, "depth", "zero or more, below the surface", |depth| {
+            depth >= 0.0
+        })
+    }
+
     /// Evaluates a function at these coordinates.
     pub(crate) fn along(self, function: impl Fn(f64) -> f64) -> Values {
         let [values] = self.all_along(|at| [function(at)]);

@@ -140,7 +140,7 @@ closed_form! {
         pressure(x),
         /// Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
         /// length) of :meth:`Boundary.periodic_along_y`. The datum must be large compared with a; the approach is then
-        /// positive.
+        /// positive. It is NaN if the datum is zero or negative.
         approach(datum),
         /// Stress xx of the surface of either body at x (a pressure, positive in tension): minus the pressure in the
         /// contact, zero outside.
@@ -150,7 +150,13 @@ closed_form! {
         /// Returns the stresses xx, zz and xz of body 1 at x and at a depth (a length, zero or more) below its surface
         /// (pressures, positive in tension). In body 2 at the same depth, xz has the opposite sign. M'Ewen (1949);
         /// Johnson (1985), 4.49.
-        fn stress(&self, x: Coordinates, depth: Coordinates) -> PyResult<PlaneStrain> {
+        ///
+        /// Raises
+        /// ------
+        /// ArgumentRange
+        ///     If a depth is negative.
+        fn stress(&self, py: Python<'_>, x: Coordinates, depth: Coordinates) -> PyResult<PlaneStrain> {
+            let depth = depth.check_depth(py)?;
             let stress = x.all_across(depth, |x, depth| self.0.stress(x, depth))?;
             Ok(stress.into())
         }

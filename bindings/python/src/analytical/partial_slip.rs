@@ -170,7 +170,7 @@ closed_form! {
         /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, with the sign of the
         /// force, relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no
         /// displacement at x = 0. The magnitude of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 -
-        /// f) + 2 e^2/a^2).
+        /// f) + 2 e^2/a^2). It is NaN if the datum is zero or negative.
         shift(datum),
     }
     also {
@@ -209,7 +209,18 @@ closed_form! {
         /// Returns the stresses xx, zz and xz of body 1 and of body 2 at x and at a depth below the surface of each body
         /// (a length, zero or more). Stresses are pressures, positive in tension, and include the bulk stress. Johnson
         /// (1985), 7.2.
-        fn stress(&self, x: Coordinates, depth: Coordinates) -> PyResult<(PlaneStrain, PlaneStrain)> {
+        ///
+        /// Raises
+        /// ------
+        /// ArgumentRange
+        ///     If a depth is negative.
+        fn stress(
+            &self,
+            py: Python<'_>,
+            x: Coordinates,
+            depth: Coordinates,
+        ) -> PyResult<(PlaneStrain, PlaneStrain)> {
+            let depth = depth.check_depth(py)?;
             let [xx, zz, xz, of_two @ ..] = x.all_across(depth, |x, depth| {
                 let [one, two] = self.0.stress(x, depth);
                 [one[0], one[1], one[2], two[0], two[1], two[2]]

@@ -7,12 +7,22 @@ use crate::digits::short;
 use crate::field::Field;
 use crate::pickle::picklable;
 use crate::readers::record;
-use crate::real::Real;
+use crate::real::{Real, out_of_range};
 use crate::samples::Samples;
 use crate::work::unobserved_on;
 
 /// Threshold of the parameters by default (ISO 25178-3).
 const THRESHOLD: f64 = 0.2;
+
+/// Returns the threshold, or an error if it is not between 0 and 1.
+fn checked(py: Python<'_>, threshold: Real) -> PyResult<f64> {
+    let Real(threshold) = threshold;
+    if threshold > 0.0 && threshold < 1.0 {
+        return Ok(threshold);
+    }
+    let message = format!("must lie strictly between 0 and 1, got {threshold:?}");
+    Err(out_of_range(py, "threshold", &message))
+}
 
 /// The autocorrelation function of a surface, with the spatial parameters of ISO 25178-2.
 ///
@@ -69,18 +79,28 @@ impl Autocorrelation {
     }
 
     /// Returns the autocorrelation length Sal (a length): the smallest distance over which the function falls to a
-    /// threshold; ``None`` if it remains above the threshold at all lags.
+    /// threshold between 0 and 1; ``None`` if it remains above the threshold at all lags.
+    ///
+    /// Raises
+    /// ------
+    /// ArgumentRange
+    ///     If the threshold is not between 0 and 1.
     #[pyo3(signature = (threshold=Real(THRESHOLD)))]
-    fn decay_length(&self, threshold: Real) -> Option<f64> {
-        self.0.decay_length(threshold.0)
+    fn decay_length(&self, py: Python<'_>, threshold: Real) -> PyResult<Option<f64>> {
+        Ok(self.0.decay_length(checked(py, threshold)?))
     }
 
     /// Returns the texture aspect ratio Str, from 0 to 1: the smallest divided by the largest distance over which the
-    /// function falls to a threshold; ``None`` if it remains above the threshold at all lags. In directions in which the
-    /// function does not fall to the threshold, the largest lag is used, so the true ratio is smaller.
+    /// function falls to a threshold between 0 and 1; ``None`` if it remains above the threshold at all lags. In directions in which
+    /// the function does not fall to the threshold, the largest lag is used, so the true ratio is smaller.
+    ///
+    /// Raises
+    /// ------
+    /// ArgumentRange
+    ///     If the threshold is not between 0 and 1.
     #[pyo3(signature = (threshold=Real(THRESHOLD)))]
-    fn texture_aspect_ratio(&self, threshold: Real) -> Option<f64> {
-        self.0.texture_aspect_ratio(threshold.0)
+    fn texture_aspect_ratio(&self, py: Python<'_>, threshold: Real) -> PyResult<Option<f64>> {
+        Ok(self.0.texture_aspect_ratio(checked(py, threshold)?))
     }
 
     /// Autocorrelation length (ISO 25178-2) for the threshold 0.2: :meth:`decay_length`.

@@ -78,8 +78,17 @@ impl MaterialRatio {
     }
 
     /// Returns the inverse areal material ratio Smc(p): the heights above the mean (lengths) at material ratios from 0 to 1.
-    fn height(&self, material_ratio: Coordinates) -> Values {
-        material_ratio.along(|ratio| self.0.height(ratio))
+    ///
+    /// Raises
+    /// ------
+    /// ArgumentRange
+    ///     If a ratio is not from 0 to 1, as a ratio in per cent.
+    fn height(&self, py: Python<'_>, material_ratio: Coordinates) -> PyResult<Values> {
+        let name = "material_ratio";
+        let ratio = material_ratio.check(py, name, "a ratio from 0 to 1", |ratio| {
+            (0.0..=1.0).contains(&ratio)
+        })?;
+        Ok(ratio.along(|ratio| self.0.height(ratio)))
     }
 
     fn __repr__(&self) -> String {
