@@ -365,7 +365,7 @@ impl std::fmt::Display for Warning {
                 RESOLVED_LINE[1]
             ),
             Self::UnderresolvedSlipZone { tenths: 0 } => formatter.write_str(
-                "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: check the unit of the tangential load, or refine the grid until the zone is two cells wide"
+                "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: refine the grid until the zone is two cells wide, or check the unit of a tangential load"
             ),
             Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
@@ -532,12 +532,12 @@ fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> st
 fn write_accuracy(formatter: &mut std::fmt::Formatter<'_>, tenths: usize) -> std::fmt::Result {
     if tenths == 0 {
         return formatter.write_str(
-            "a limit ended the refinement after the first grid, so that no error is estimated: raise the limit of cells or time",
+            "the refinement ended after the first grid, so that no error is estimated: raise the limit that the status states (cells, time or distance of the samples)",
         );
     }
     write!(
         formatter,
-        "a limit ended the refinement at {}.{} times the required error: raise the limit of cells or time, or the target",
+        "the refinement ended at {}.{} times the required error: raise the limit that the status states (cells, time or distance of the samples), or the target",
         tenths / 10,
         tenths % 10
     )

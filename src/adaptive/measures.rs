@@ -133,7 +133,7 @@ impl Measures {
 
     /// Returns the estimated error of a coarser solution, which is its difference from this solution.
     pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> Result<f64> {
-        let relative = |fine: f64, coarse: f64| (fine - coarse).abs() / fine.abs();
+        let relative = |fine: f64, coarse: f64| part_of((fine - coarse).abs(), fine.abs());
         let of_friction =
             |difference: fn(&Self, &Self, [&FrictionMeasures; 2]) -> Result<f64>| match (
                 &self.friction,
@@ -164,7 +164,7 @@ impl Measures {
             Quantity::Shift => of_friction(|_, _, [fine, coarse]| {
                 let size = fine.shift[0].hypot(fine.shift[1]);
                 let change = |axis: usize| fine.shift[axis] - coarse.shift[axis];
-                Ok(change(0).hypot(change(1)) / size)
+                Ok(part_of(change(0).hypot(change(1)), size))
             }),
         }
     }
@@ -236,7 +236,16 @@ fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> Result
             sum += (integral - own).abs();
         }
     }
-    Ok(sum * fine.grid().cell_area() / fine.integral())
+    Ok(part_of(sum * fine.grid().cell_area(), fine.integral()))
+}
+
+/// Returns the relative difference. Two values of zero, such as tractions without a tangential load, have no difference.
+fn part_of(difference: f64, whole: f64) -> f64 {
+    if difference == 0.0 {
+        0.0
+    } else {
+        difference / whole
+    }
 }
 
 /// Returns the integral of a row of cell means between each two successive positions. Positions are in units of a cell. The

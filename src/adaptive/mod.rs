@@ -74,6 +74,8 @@
 //! - The search evaluates the gap at 192 x 192 points of the region. It does not find a bump between these points.
 //! - Bodies with coatings and kernels have no edges inside the cells. Their areas are [corrected
 //!   counts](crate::NormalSolution::contact_area_corrected), which need more cells.
+//! - A twist and rolling steps are rejected: a twist acts about the centre of the grid, and a rolling step has a length in cells. Moments
+//!   of the solution also refer to the centre of the grid.
 //! - The estimates for a flat punch are poor, because its pressure is infinite at the edge.
 //! - A [`SampledGap`] limits the accuracy: cells smaller than the distance between the samples resolve only the
 //!   interpolation. The solve then ends with [`AdaptiveStatus::SampleSpacing`].

@@ -16,6 +16,8 @@ use crate::history::LoadStep;
 use crate::normal::NormalLoad;
 use crate::tangential::{Friction, TangentialLoad, TangentialModel};
 
+/// Name of the model in messages.
+const MODEL: &str = "a contact whose grid is chosen by its accuracy";
 /// Default target of the pressure.
 const DEFAULT_TARGET: f64 = 1e-2;
 /// Default limit of the number of cells of a grid.
@@ -56,6 +58,36 @@ pub(super) enum ShearLoad {
     Step(Box<LoadStep>),
 }
 
+impl ShearLoad {
+    /// Returns an error for a load that depends on the grid.
+    fn check(&self) -> Result<()> {
+        let twist = match self {
+            Self::AfterPressing(load) => load.demand().twist,
+            #[cfg(feature = "history")]
+            Self::Step(step) => {
+                if let Some(rolling) = step.rolling() {
+                    return Err(Error::UnsupportedByModel {
+                        model: MODEL,
+                        quantity: "rolling steps (value: the number of cells of the step)",
+                        value: rolling.cells as f64,
+                        remedy: "take the first step without rolling, and roll the history of its solution",
+                    });
+                }
+                step.demand(0.0).twist
+            }
+        };
+        if twist == 0.0 {
+            return Ok(());
+        }
+        Err(Error::UnsupportedByModel {
+            model: MODEL,
+            quantity: "twist about the centre of the grid",
+            value: twist,
+            remedy: "choose a grid whose centre is on the axis of the rotation",
+        })
+    }
+}
+
 /// Options of an [`AdaptiveProblem`], all with defaults.
 #[derive(Clone)]
 #[must_use = "a builder does nothing until build() is called"]
@@ -86,6 +118,14 @@ impl<'a> AdaptiveProblem<'a> {
                 time_limit: None,
             },
         }
+    }
+
+    /// Returns whether the normal load prescribes a quantity.
+    fn prescribes(&self, quantity: Quantity) -> bool {
+        matches!(
+            (self.load, quantity),
+            (NormalLoad::Force(_), Quantity::Force) | (NormalLoad::Approach(_), Quantity::Approach)
+        )
     }
 
     /// Solves the contact on successively finer grids until all estimates are at most their targets or a limit is reached.
@@ -147,7 +187,7 @@ impl AdaptiveProblemBuilder<'_> {
     }
 
     /// Adds friction and a tangential load, which acts on the contact under its final pressure as in a
-    /// [`TangentialProblem`](crate::TangentialProblem).
+    /// [`TangentialProblem`](crate::TangentialProblem). The load replaces an earlier load or first step.
     pub fn shear(mut self, friction: Friction, load: TangentialLoad) -> Self {
         let load = ShearLoad::AfterPressing(load);
         self.problem.friction = Some(Shear { friction, load });
@@ -155,7 +195,8 @@ impl AdaptiveProblemBuilder<'_> {
     }
 
     /// Adds friction and a first step of a [`History`](crate::History). The normal load of the problem replaces the normal
-    /// load of the step. [`AdaptiveSolution::into_history`] returns the history for further steps on the same grid.
+    /// load of the step. [`AdaptiveSolution::into_history`] returns the history for further steps on the same grid. The step
+    /// replaces an earlier step or tangential load.
     #[cfg(feature = "history")]
     #[cfg_attr(docsrs, doc(cfg(feature = "history")))]
     pub fn first_step(mut self, friction: Friction, step: LoadStep) -> Self {
@@ -197,6 +238,9 @@ impl<'a> AdaptiveProblemBuilder<'a> {
     /// - [`Error::Tolerance`] if a target is not between 0 and 1.
     /// - [`Error::UnsupportedByModel`] if a target of the traction, stick ratio or shift is set without friction, or if the
     ///   friction varies over cells.
+    /// - [`Error::UnsupportedByModel`] if a target belongs to the prescribed force or approach, which has no error.
+    /// - [`Error::UnsupportedByModel`] for a twist, which acts about the centre of the grid, and for a rolling step, whose length is a
+    ///   number of cells.
     /// - [`Error::BelowMinimum`] if the limit of the number of cells is less than 1024.
     pub fn build(mut self) -> Result<AdaptiveProblem<'a>> {
         let problem = &mut self.problem;
@@ -220,11 +264,20 @@ impl<'a> AdaptiveProblemBuilder<'a> {
                     remedy: "add friction and a tangential load",
                 });
             }
+            if problem.prescribes(quantity) {
+                return Err(Error::UnsupportedByModel {
+                    model: "the load of this contact, which prescribes the quantity,",
+                    quantity: quantity.name(),
+                    value: target,
+                    remedy: "set a target for the pressure or another quantity",
+                });
+            }
         }
-        if let Some(Shear { friction, .. }) = &problem.friction {
+        if let Some(Shear { friction, load }) = &problem.friction {
+            load.check()?;
             if !matches!(friction.common().0, PerCell::Uniform(_)) {
                 return Err(Error::UnsupportedByModel {
-                    model: "a contact whose grid is chosen by its accuracy",
+                    model: MODEL,
                     quantity: "friction that varies over cells",
                     value: 1.0,
                     remedy: "use a friction coefficient",

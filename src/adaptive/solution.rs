@@ -121,7 +121,7 @@ impl AdaptiveSolution {
         &self.gap
     }
 
-    /// Returns the normal contact.
+    /// Returns the normal contact. Its positions and moments refer to the [centre](Self::centre) of the grid.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         self.contact.normal()

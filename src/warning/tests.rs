@@ -94,7 +94,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::UnderresolvedSlipZone { tenths: 0 },
-            "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: check the unit of the tangential load, or refine the grid until the zone is two cells wide",
+            "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: refine the grid until the zone is two cells wide, or check the unit of a tangential load",
         ),
         (
             Warning::DiscretisationError {
@@ -220,7 +220,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::AccuracyNotReached { tenths: 35 },
-            "a limit ended the refinement at 3.5 times the required error: raise the limit of cells or time, or the target",
+            "the refinement ended at 3.5 times the required error: raise the limit that the status states (cells, time or distance of the samples), or the target",
         ),
     ]);
 }

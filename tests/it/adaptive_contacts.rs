@@ -9,6 +9,7 @@ use stickslip::adaptive::{
     Quantity, Region, SampledGap,
 };
 use stickslip::analytical::{CattaneoMindlin, Cone, HertzLine, HertzSphere, Westergaard};
+use stickslip::history::Rolling;
 use stickslip::surface::Interpolation;
 use stickslip::*;
 
@@ -270,6 +271,19 @@ fn wrong_input_is_refused() {
             ..
         }
     ));
+    let found = refused(builder(&ball, wide()).target(Quantity::Force, 0.1));
+    assert!(found.to_string().contains("normal force"), "{found}");
+    // A twist acts about the centre of the grid, and a rolling step has a length in cells. The solve chooses both.
+    let twisted = TangentialLoad::force([1.0, 0.0]).twist(1e-3);
+    let found = refused(builder(&ball, wide()).shear(kit::coulomb(0.3), twisted));
+    assert!(found.to_string().contains("twist"), "{found}");
+    for step in [
+        LoadStep::hold().twist(1e-3),
+        LoadStep::hold().roll(Rolling::new(1)),
+    ] {
+        let found = refused(builder(&ball, wide()).first_step(kit::coulomb(0.3), step));
+        assert!(matches!(found, Error::UnsupportedByModel { .. }));
+    }
     let cells = Field::constant(kit::square(8, 1.0), 0.3);
     let friction = Friction::per_cell(cells).unwrap();
     let found = refused(builder(&ball, wide()).shear(friction, TangentialLoad::force([1.0, 0.0])));
@@ -368,4 +382,15 @@ fn random_contacts_reach_their_targets() {
             scene.target
         );
     }
+}
+
+/// The traction of a first step without a tangential load is zero. Its estimate is zero too, and the refinement ends.
+#[test]
+fn first_step_without_tangential_load_reaches_default_targets() {
+    let builder = builder(&ball, wide()).first_step(kit::coulomb(0.3), LoadStep::hold());
+    let found = builder.build().unwrap().solve().unwrap();
+    assert_eq!(found.status(), AdaptiveStatus::Reached);
+    assert!(found.estimate(Quantity::Pressure).unwrap() > 0.0);
+    assert_eq!(found.estimate(Quantity::Traction), Some(0.0));
+    assert!(found.grid().cells() < 10_000);
 }

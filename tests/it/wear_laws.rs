@@ -206,3 +206,23 @@ fn invalid_coefficients_and_fields_are_rejected() {
     assert!(depth.add_scaled(1.0, &other).is_err());
     assert_eq!(depth, Field::constant(grid, 3.0));
 }
+
+/// The accumulated energy includes the energy of the step. Arguments in the wrong order have an error, and no wear.
+#[test]
+fn accumulated_energy_below_energy_of_step_is_rejected() {
+    let grid = kit::square(8, 1.0);
+    let (step, total) = (Field::constant(grid, 1.0), Field::constant(grid, 3.0));
+    let mut depth = Field::zeros(grid);
+    let found = wear::threshold_energy(1.0, 0.0, &step, &total, &mut depth).unwrap_err();
+    assert!(matches!(
+        found,
+        Error::BelowMinimum {
+            quantity: "sum of the accumulated energy",
+            ..
+        }
+    ));
+    assert_eq!(depth, Field::zeros(grid));
+    // The first step has accumulated its own energy.
+    wear::threshold_energy(1.0, 0.0, &step, &step, &mut depth).unwrap();
+    assert!(depth.min() > 0.0);
+}

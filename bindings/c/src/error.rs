@@ -70,7 +70,7 @@ impl Failure {
         Self::new(
             STICKSLIP_BAD_POINTER,
             format!(
-                "{name} is NULL or misaligned: create the object, and check the status of its creation"
+                "{name} is NULL or misaligned: create the object and check the status of its creation, and do not use an object that was moved or freed"
             ),
         )
     }

@@ -105,7 +105,7 @@ int main() {
     const ss::NormalSolver owner(std::move(emptied));
     fails(STICKSLIP_BAD_POINTER, [&] { emptied.set_load(ss::press_by_force(50.0)); });
     const std::string text = stickslip_last_error_message();
-    check(text == "normal solver is NULL or misaligned: create the object, and check the status of its creation", text.c_str());
+    check(text == "normal solver is NULL or misaligned: create the object and check the status of its creation, and do not use an object that was moved or freed", text.c_str());
 
     // A layer with the modulus of its body changes nothing, and a harder layer reduces the approach.
     const auto under = [&](double modulus) {

@@ -168,7 +168,8 @@ impl AdaptiveSteps {
     }
 
     fn begin(&mut self, history: &History, load: &LoadStep) -> Result<()> {
-        let checked = self.whole[0].check("history of adaptive steps", history.grid());
+        let grid = self.whole[0].grid();
+        let checked = grid.check_equal("history of adaptive steps", history.grid());
         let checked = checked.and_then(|()| load.check_still());
         history.bodies.collective_result_checked(
             checked,

@@ -53,7 +53,7 @@ use crate::warning::Warning;
 pub struct Rolling {
     #[cfg_attr(feature = "serde", serde(default))]
     leading_edge: LeadingEdge,
-    cells: usize,
+    pub(crate) cells: usize,
     #[cfg_attr(feature = "serde", serde(default))]
     creepage: [f64; 2],
     #[cfg_attr(feature = "serde", serde(default))]

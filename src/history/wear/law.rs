@@ -1,10 +1,11 @@
 //! Wear laws.
 
-use crate::error::{Result, finite, non_negative};
+use crate::error::{Error, Result, finite, non_negative};
 use crate::grid::field::Field;
 use crate::history::wear::coefficient::greatest;
 use crate::history::wear::{Coefficient, check};
 use crate::parallel;
+use crate::parallel::reduce;
 
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
@@ -108,6 +109,8 @@ pub fn energy<'a>(
 ///   not finite.
 /// - [`Error::Sample`](crate::Error::Sample) at a coefficient or energy that is negative or not finite.
 /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+/// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the sum of the accumulated energy is less than the sum of the energy, as
+///   for arguments in the wrong order.
 /// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
 ///
 /// The depth is unchanged after an error.
@@ -124,12 +127,22 @@ pub fn threshold_energy<'a>(
     non_negative("threshold of dissipated energy", threshold)?;
     check("accumulated energy", accumulated, grid)?;
     check("dissipated energy", energy, grid)?;
+    let most = greatest(energy);
+    let (total, energy) = (accumulated.as_slice(), energy.as_slice());
+    let [whole, part] = reduce::sum(&grid.layout(), |i| [total[i], energy[i]]);
+    if part * (1.0 - 1e-9) > whole {
+        return Err(Error::BelowMinimum {
+            quantity: "sum of the accumulated energy",
+            value: whole,
+            least: part,
+            least_is: "the sum of the energy of the step, which it includes",
+        });
+    }
     let area = grid.cell_area();
     finite(
         "greatest depth of wear",
-        coefficient.largest() / area * greatest(energy),
+        coefficient.largest() / area * most,
     )?;
-    let (total, energy) = (accumulated.as_slice(), energy.as_slice());
     remove(depth, |i| {
         // Only the energy of the step above the threshold counts.
         let beyond = (total[i] - threshold * area).clamp(0.0, energy[i]);
