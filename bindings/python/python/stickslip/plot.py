@@ -6,7 +6,8 @@ column of cells, such as the grid of a line contact, is drawn as a profile: a li
 
 The package does not prescribe units and only appends the given units to the labels. ``length_unit`` is the unit of
 coordinates and shifts after multiplication by ``scale`` (1e3 shows metres as millimetres). ``unit`` is the unit of the
-drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``.
+drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``. Without a factor, lengths of a Field or a
+history with a unit are converted into the unit of the label.
 
 Colour bars of values without sign, such as pressure, start at zero. Values with both signs have colours with zero in the
 middle. The options ``cmap``, ``vmin``, ``vmax`` and ``norm`` replace these defaults.
@@ -42,7 +43,44 @@ _SPOTS = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:b
 _STRESSES = {"von_mises": "von Mises", "max_shear": "largest shear stress", "hydrostatic": "mean normal stress"}
 
 
+def _check_axes(axes: object) -> None:
+    """Raises an error unless an argument is an object of the class Axes of matplotlib, or ``None``."""
+    if axes is None or hasattr(axes, "imshow") and hasattr(axes, "inset_axes"):
+        return
+    remedy = ""
+    if isinstance(axes, tuple):
+        remedy = ": give the second value of pyplot.subplots()"
+    elif isinstance(axes, (np.ndarray, list)):
+        remedy = ": give one of its entries, such as axes[0]"
+    elif hasattr(axes, "add_subplot"):
+        remedy = ": give figure.subplots(), or one of figure.axes"
+    refuse_type("axes", f"must be Axes of matplotlib, got {kind(axes)}{remedy}")
+
+
+def _check_factors(**factors: object) -> None:
+    """Raises an error unless the factors are numbers or ``None``."""
+    for name, value in factors.items():
+        is_other = isinstance(value, (str, bytes, bool, np.bool_)) or not hasattr(value, "__float__") or np.ndim(value) != 0
+        if value is not None and is_other:
+            unit = "unit" if name == "value_scale" else "length_unit"
+            remedy = f": give the unit by {unit}={value!r}" if isinstance(value, str) else ""
+            refuse_type(name, f"must be a number, got {kind(value)}{remedy}")
+
+
+def _factor(given: float | None, own: str | None, shown: str) -> float:
+    """Returns a factor for lengths. The default converts a known unit into the unit of the label, if it is a unit of length."""
+    if given is not None:
+        return given
+    if own is None or not shown:
+        return 1.0
+    try:
+        return Field(Grid(1, 1, 1.0, 1.0), [[1.0]], own).to_unit(shown).max()
+    except ValueError:  # not a unit of length
+        return 1.0
+
+
 def _axes(axes: Axes | None) -> Axes:
+    _check_axes(axes)
     if axes is None:
         try:
             import matplotlib.pyplot as pyplot
@@ -186,8 +224,8 @@ def field(
     *,
     label: str = "",
     unit: str = "",
-    value_scale: float = 1.0,
-    scale: float = 1.0,
+    value_scale: float | None = None,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -204,10 +242,12 @@ def field(
         Axes to draw into; new axes by default.
     label, unit : str, default ""
         Name of the values, and their unit after multiplication by ``value_scale``.
-    value_scale : float, default 1
-        Factor for the values, such as 1e-9 to show Pa as GPa.
-    scale : float, default 1
-        Factor for the coordinates, such as 1e3 to show metres as millimetres.
+    value_scale : float, optional
+        Factor for the values, such as 1e-9 to show Pa as GPa. The default is 1. If the values have a unit and ``unit`` is a unit of
+        length, the default converts them.
+    scale : float, optional
+        Factor for the coordinates, such as 1e3 to show metres as millimetres. The default is 1. If the field or the history has a
+        unit and ``length_unit`` is a unit of length, the default converts the coordinates.
     length_unit : str, default ""
         Unit of the coordinates after multiplication by ``scale``.
     **options
@@ -218,8 +258,13 @@ def field(
     Shape
     TypeError
         If the first argument is a grid without values, or neither a grid nor a field.
+    ArgumentType
+        If ``axes`` are no Axes, or a factor is no number.
     """
+    _check_factors(scale=scale, value_scale=value_scale)
     grid, values = _with_grid(grid, values)
+    own = getattr(values, "unit", None)
+    scale, value_scale = _factor(scale, own, length_unit), _factor(value_scale, own, unit)
     samples = _samples(grid, values)
     along = _profile_axis(grid)
     if along is not None:
@@ -243,8 +288,8 @@ def section(
     at: float = 0.0,
     label: str = "",
     unit: str = "",
-    value_scale: float = 1.0,
-    scale: float = 1.0,
+    value_scale: float | None = None,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -274,8 +319,13 @@ def section(
         If the first argument is a grid without values, or neither a grid nor a field.
     ValueError
         If ``along`` is not an axis, or ``at`` is outside the grid.
+    ArgumentType
+        If ``axes`` are no Axes, or a factor is no number.
     """
+    _check_factors(scale=scale, value_scale=value_scale)
     grid, values = _with_grid(grid, values)
+    own = getattr(values, "unit", None)
+    scale, value_scale = _factor(scale, own, length_unit), _factor(value_scale, own, unit)
     samples = value_scale * _samples(grid, values)
     direction, place = _place(grid, along, at)
     axes = _axes(axes)
@@ -294,7 +344,7 @@ def pressure_map(
     *,
     unit: str = "",
     value_scale: float = 1.0,
-    scale: float = 1.0,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -302,8 +352,10 @@ def pressure_map(
 
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
+    _check_factors(scale=scale, value_scale=value_scale)
     solution = _half(solution, "normal")
     _require_solution(solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
+    scale = _factor(scale, getattr(solution, "unit", None), length_unit)
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -322,14 +374,16 @@ def pressure_map(
 
 
 def stick_map(
-    solution: Any, axes: Axes | None = None, *, scale: float = 1.0, length_unit: str = ""
+    solution: Any, axes: Axes | None = None, *, scale: float | None = None, length_unit: str = ""
 ) -> Axes:
     """Draws the stick zone and the slip zone of a tangential, coupled or rolling solution, a state or a history.
 
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
+    _check_factors(scale=scale)
     solution = _half(solution, "tangential", "rolling")
     _require_solution(solution, ("zones", "grid"), _SHEARED)
+    scale = _factor(scale, getattr(solution, "unit", None), length_unit)
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -352,7 +406,7 @@ def traction_map(
     arrows: int = 16,
     unit: str = "",
     value_scale: float = 1.0,
-    scale: float = 1.0,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -373,8 +427,10 @@ def traction_map(
     **options
         Options of ``imshow``, or of ``plot`` for a profile.
     """
+    _check_factors(scale=scale, value_scale=value_scale)
     solution = _half(solution, "tangential", "rolling")
     _require_solution(solution, ("traction", "grid"), _SHEARED)
+    scale = _factor(scale, getattr(solution, "unit", None), length_unit)
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
@@ -411,7 +467,7 @@ def spot_map(
     by: str = "mean_pressure",
     unit: str = "",
     value_scale: float = 1.0,
-    scale: float = 1.0,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -439,6 +495,8 @@ def spot_map(
     known = ("number", "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
         raise ValueError(f"by must be one of {', '.join(known)}, got {by!r}")
+    _check_factors(scale=scale, value_scale=value_scale)
+    scale = _factor(scale, getattr(spots, "unit", None), length_unit)
     spots = _spots_of(spots)
     if by == "number":
         return _numbered(spots, axes, scale, length_unit, options)
@@ -515,6 +573,7 @@ def stress_section(
         If there are fewer than two planes, if the stress is unknown, if ``along`` is not an axis, or if ``at`` is outside
         the grid.
     """
+    _check_factors(scale=scale, value_scale=value_scale)
     require_entries("planes", planes, ("normal_stress",), "a sequence of Plane, as returned by Planes.solve_all")
     if len(planes) < 2:
         raise ValueError(f"a section requires planes at two depths or more, got {len(planes)}")
@@ -561,6 +620,7 @@ def hysteresis(
     ``unit`` and ``value_scale`` refer to the force, ``length_unit`` and ``scale`` to the shift. The options are passed to
     ``plot``.
     """
+    _check_factors(scale=scale, value_scale=value_scale)
     component = _component(axis)
     require("cycle", cycle, ("points",), "a Cycle, such as the attribute last of the result of a loop")
     axes = _axes(axes)
@@ -584,6 +644,7 @@ def work_precision(
     ``scale`` is a factor for the time and ``unit`` the resulting unit, such as 1e3 and "ms". The options are passed to
     ``loglog``.
     """
+    _check_factors(scale=scale)
     named = reports if isinstance(reports, Mapping) else {"": reports}
     named = {name: list(line) if isinstance(line, Iterable) else line for name, line in named.items()}
     for line in named.values():
