@@ -312,9 +312,9 @@ def test_axes_of_another_kind_are_rejected_with_the_remedy(scene):
         (figure, r"give figure.subplots\(\), or one of figure.axes"),
         ("x", "class str"),
     ):
-        with pytest.raises(ss.ArgumentType, match=f"^axes must be Axes of matplotlib, got .*{remedy}"):
+        with pytest.raises(ss.errors.ArgumentType, match=f"^axes must be Axes of matplotlib, got .*{remedy}"):
             plot.field(scene.ball, axes=given)
-        with pytest.raises(ss.ArgumentType, match="^axes must be"):
+        with pytest.raises(ss.errors.ArgumentType, match="^axes must be"):
             plot.pressure_map(scene.normal(), given)
 
 
@@ -328,10 +328,10 @@ def test_unit_in_place_of_a_factor_is_rejected(scene):
         lambda **options: plot.traction_map(shear, **options),
         lambda **options: plot.spot_map(contact, **options),
     ):
-        with pytest.raises(ss.ArgumentType, match="^scale must be a number, got .* str: give the unit by length_unit='um'"):
+        with pytest.raises(ss.errors.ArgumentType, match="^scale must be a number, got .* str: give the unit by length_unit='um'"):
             call(scale="um")
         call(scale=np.float32(1e6))
-    with pytest.raises(ss.ArgumentType, match="^value_scale must be a number, .*: give the unit by unit='MPa'"):
+    with pytest.raises(ss.errors.ArgumentType, match="^value_scale must be a number, .*: give the unit by unit='MPa'"):
         plot.pressure_map(contact, value_scale="MPa")
 
 

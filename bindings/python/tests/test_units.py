@@ -90,13 +90,13 @@ def test_images_reject_fields_of_different_units(scene, tmp_path):
 
 @pytest.mark.parametrize(("name", "proposed"), [("a.vti.gz", "a.vti"), (".vti", "fields.vti"), ("a.png", "a.vti"), ("a0.5", "a0.5.vti")])
 def test_proposed_name_of_an_image_has_one_ending(scene, tmp_path, name, proposed):
-    with pytest.raises(ss.ArgumentRange) as caught:
+    with pytest.raises(ss.errors.ArgumentRange) as caught:
         ss.io.vti.write(tmp_path / name, scene.ball)
     assert str(caught.value).endswith(f'give "{tmp_path / proposed}"')
 
 
 def test_proposed_name_of_a_series_has_one_ending(tmp_path):
-    with pytest.raises(ss.ArgumentRange, match=r'give ".*fields\.pvd"'):
+    with pytest.raises(ss.errors.ArgumentRange, match=r'give ".*fields\.pvd"'):
         ss.io.pvd.PvdWriter(tmp_path / ".pvd")
 
 
@@ -114,7 +114,7 @@ def test_proposed_name_of_a_series_has_one_ending(tmp_path):
 )
 def test_truth_values_are_named_and_may_be_those_of_numpy(scene, name, call):
     for wrong, found in (("no", "'no'"), (1, "1"), (None, "None"), (np.ones(3), "ndarray")):
-        with pytest.raises(ss.ArgumentType, match=f"^{name} must be True or False, got {found}") as caught:
+        with pytest.raises(ss.errors.ArgumentType, match=f"^{name} must be True or False, got {found}") as caught:
             call(scene, wrong)
         assert caught.value.argument == name
     call(scene, np.bool_(True))
@@ -155,10 +155,10 @@ def test_table_of_text_is_rejected_as_text():
 def test_array_of_xarray_must_contain_real_numbers(values, found):
     xarray = pytest.importorskip("xarray")
     coordinates = {"y": [0.0, 1.0], "x": [0.0, 1.0, 2.0]}
-    with pytest.raises(ss.ArgumentType, match=f"the heights must be real numbers, got {found}"):
+    with pytest.raises(ss.errors.ArgumentType, match=f"the heights must be real numbers, got {found}"):
         ss.io.from_xarray(xarray.DataArray(values, coordinates, ("y", "x")))
     along = values[0].astype("M8[s]") if found == "times" else values[0]
-    with pytest.raises(ss.ArgumentType, match=f"the coordinates along x must be real numbers, got {found}"):
+    with pytest.raises(ss.errors.ArgumentType, match=f"the coordinates along x must be real numbers, got {found}"):
         ss.io.from_xarray(xarray.DataArray(np.ones((2, 3)), {"y": [0.0, 1.0], "x": along}, ("y", "x")))
 
 
@@ -173,5 +173,5 @@ def test_dataset_of_a_history_has_the_unit_of_its_lengths(scene):
 
 
 def test_object_without_heights_is_no_topography():
-    with pytest.raises(ss.ArgumentType, match=r"topography must have heights\(\) and physical_sizes, .* ndarray: create a Field"):
+    with pytest.raises(ss.errors.ArgumentType, match=r"topography must have heights\(\) and physical_sizes, .* ndarray: create a Field"):
         ss.surface.from_topography(np.zeros((4, 4)))

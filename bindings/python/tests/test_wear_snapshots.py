@@ -80,9 +80,9 @@ def test_path_may_be_bytes_and_must_not_be_empty(result, tmp_path):
     result.snapshot.save(path)
     assert ss.wear.WearSnapshot.load(path).cycles == result.cycles
     for call in (result.snapshot.save, ss.wear.WearSnapshot.load):
-        with pytest.raises(ss.ArgumentRange, match="^path must not be empty"):
+        with pytest.raises(ss.errors.ArgumentRange, match="^path must not be empty"):
             call("")
-        with pytest.raises(ss.ArgumentType, match="^path must be a path, got an object of the class float"):
+        with pytest.raises(ss.errors.ArgumentType, match="^path must be a path, got an object of the class float"):
             call(1.0)
 
 
@@ -90,18 +90,18 @@ def test_compressed_and_foreign_files_are_named(result, tmp_path):
     path = tmp_path / "snapshot"
     result.snapshot.save(path)
     path.write_bytes(gzip.compress(path.read_bytes()))
-    with pytest.raises(ss.Format, match="the file is compressed by gzip: decompress it by gunzip"):
+    with pytest.raises(ss.errors.Format, match="the file is compressed by gzip: decompress it by gunzip"):
         ss.wear.WearSnapshot.load(path)
     worn = result.snapshot.restored(BODIES)
     worn.save(path)
-    with pytest.raises(ss.Format, match="the file is a saved history: load it by History.load"):
+    with pytest.raises(ss.errors.Format, match="the file is a saved history: load it by History.load"):
         ss.wear.WearSnapshot.load(path)
     np.savez(path.with_suffix(".npz"), a=1.0)
-    with pytest.raises(ss.Format, match="not a snapshot of wear.run, or it is damaged: give a file written by WearSnapshot.save"):
+    with pytest.raises(ss.errors.Format, match="not a snapshot of wear.run, or it is damaged: give a file written by WearSnapshot.save"):
         ss.wear.WearSnapshot.load(path.with_suffix(".npz"))
     path.write_bytes(gzip.compress(worn.to_bytes()))
-    with pytest.raises(ss.Format, match="the data are compressed by gzip: decompress them first"):
+    with pytest.raises(ss.errors.Format, match="the data are compressed by gzip: decompress them first"):
         ss.History.load(BODIES, path)
-    with pytest.raises(ss.Format, match="the data are compressed by gzip"):
+    with pytest.raises(ss.errors.Format, match="the data are compressed by gzip"):
         ss.history.State.from_bytes(path.read_bytes())
     assert GRID == worn.grid

@@ -22,6 +22,7 @@ import numpy as np
 
 from ._checks import kind, refuse_type, require, require_entries
 from ._enums import Zone
+from ._plot_arguments import check_axes, check_factors, factor
 from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
 
@@ -43,44 +44,8 @@ _SPOTS = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:b
 _STRESSES = {"von_mises": "von Mises", "max_shear": "largest shear stress", "hydrostatic": "mean normal stress"}
 
 
-def _check_axes(axes: object) -> None:
-    """Raises an error unless an argument is an object of the class Axes of matplotlib, or ``None``."""
-    if axes is None or hasattr(axes, "imshow") and hasattr(axes, "inset_axes"):
-        return
-    remedy = ""
-    if isinstance(axes, tuple):
-        remedy = ": give the second value of pyplot.subplots()"
-    elif isinstance(axes, (np.ndarray, list)):
-        remedy = ": give one of its entries, such as axes[0]"
-    elif hasattr(axes, "add_subplot"):
-        remedy = ": give figure.subplots(), or one of figure.axes"
-    refuse_type("axes", f"must be Axes of matplotlib, got {kind(axes)}{remedy}")
-
-
-def _check_factors(**factors: object) -> None:
-    """Raises an error unless the factors are numbers or ``None``."""
-    for name, value in factors.items():
-        is_other = isinstance(value, (str, bytes, bool, np.bool_)) or not hasattr(value, "__float__") or np.ndim(value) != 0
-        if value is not None and is_other:
-            unit = "unit" if name == "value_scale" else "length_unit"
-            remedy = f": give the unit by {unit}={value!r}" if isinstance(value, str) else ""
-            refuse_type(name, f"must be a number, got {kind(value)}{remedy}")
-
-
-def _factor(given: float | None, own: str | None, shown: str) -> float:
-    """Returns a factor for lengths. The default converts a known unit into the unit of the label, if it is a unit of length."""
-    if given is not None:
-        return given
-    if own is None or not shown:
-        return 1.0
-    try:
-        return Field(Grid(1, 1, 1.0, 1.0), [[1.0]], own).to_unit(shown).max()
-    except ValueError:  # not a unit of length
-        return 1.0
-
-
 def _axes(axes: Axes | None) -> Axes:
-    _check_axes(axes)
+    check_axes(axes)
     if axes is None:
         try:
             import matplotlib.pyplot as pyplot
@@ -261,10 +226,10 @@ def field(
     ArgumentType
         If ``axes`` are no Axes, or a factor is no number.
     """
-    _check_factors(scale=scale, value_scale=value_scale)
+    check_factors(scale=scale, value_scale=value_scale)
     grid, values = _with_grid(grid, values)
     own = getattr(values, "unit", None)
-    scale, value_scale = _factor(scale, own, length_unit), _factor(value_scale, own, unit)
+    scale, value_scale = factor(scale, own, length_unit), factor(value_scale, own, unit)
     samples = _samples(grid, values)
     along = _profile_axis(grid)
     if along is not None:
@@ -322,10 +287,10 @@ def section(
     ArgumentType
         If ``axes`` are no Axes, or a factor is no number.
     """
-    _check_factors(scale=scale, value_scale=value_scale)
+    check_factors(scale=scale, value_scale=value_scale)
     grid, values = _with_grid(grid, values)
     own = getattr(values, "unit", None)
-    scale, value_scale = _factor(scale, own, length_unit), _factor(value_scale, own, unit)
+    scale, value_scale = factor(scale, own, length_unit), factor(value_scale, own, unit)
     samples = value_scale * _samples(grid, values)
     direction, place = _place(grid, along, at)
     axes = _axes(axes)
@@ -352,10 +317,10 @@ def pressure_map(
 
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
-    _check_factors(scale=scale, value_scale=value_scale)
+    check_factors(scale=scale, value_scale=value_scale)
     solution = _half(solution, "normal")
     _require_solution(solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
-    scale = _factor(scale, getattr(solution, "unit", None), length_unit)
+    scale = factor(scale, getattr(solution, "unit", None), length_unit)
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -380,10 +345,10 @@ def stick_map(
 
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
-    _check_factors(scale=scale)
+    check_factors(scale=scale)
     solution = _half(solution, "tangential", "rolling")
     _require_solution(solution, ("zones", "grid"), _SHEARED)
-    scale = _factor(scale, getattr(solution, "unit", None), length_unit)
+    scale = factor(scale, getattr(solution, "unit", None), length_unit)
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -427,10 +392,10 @@ def traction_map(
     **options
         Options of ``imshow``, or of ``plot`` for a profile.
     """
-    _check_factors(scale=scale, value_scale=value_scale)
+    check_factors(scale=scale, value_scale=value_scale)
     solution = _half(solution, "tangential", "rolling")
     _require_solution(solution, ("traction", "grid"), _SHEARED)
-    scale = _factor(scale, getattr(solution, "unit", None), length_unit)
+    scale = factor(scale, getattr(solution, "unit", None), length_unit)
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
@@ -495,8 +460,8 @@ def spot_map(
     known = ("number", "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
         raise ValueError(f"by must be one of {', '.join(known)}, got {by!r}")
-    _check_factors(scale=scale, value_scale=value_scale)
-    scale = _factor(scale, getattr(spots, "unit", None), length_unit)
+    check_factors(scale=scale, value_scale=value_scale)
+    scale = factor(scale, getattr(spots, "unit", None), length_unit)
     spots = _spots_of(spots)
     if by == "number":
         return _numbered(spots, axes, scale, length_unit, options)
@@ -573,7 +538,7 @@ def stress_section(
         If there are fewer than two planes, if the stress is unknown, if ``along`` is not an axis, or if ``at`` is outside
         the grid.
     """
-    _check_factors(scale=scale, value_scale=value_scale)
+    check_factors(scale=scale, value_scale=value_scale)
     require_entries("planes", planes, ("normal_stress",), "a sequence of Plane, as returned by Planes.solve_all")
     if len(planes) < 2:
         raise ValueError(f"a section requires planes at two depths or more, got {len(planes)}")
@@ -620,7 +585,7 @@ def hysteresis(
     ``unit`` and ``value_scale`` refer to the force, ``length_unit`` and ``scale`` to the shift. The options are passed to
     ``plot``.
     """
-    _check_factors(scale=scale, value_scale=value_scale)
+    check_factors(scale=scale, value_scale=value_scale)
     component = _component(axis)
     require("cycle", cycle, ("points",), "a Cycle, such as the attribute last of the result of a loop")
     axes = _axes(axes)
@@ -644,7 +609,7 @@ def work_precision(
     ``scale`` is a factor for the time and ``unit`` the resulting unit, such as 1e3 and "ms". The options are passed to
     ``loglog``.
     """
-    _check_factors(scale=scale)
+    check_factors(scale=scale)
     named = reports if isinstance(reports, Mapping) else {"": reports}
     named = {name: list(line) if isinstance(line, Iterable) else line for name, line in named.items()}
     for line in named.values():
