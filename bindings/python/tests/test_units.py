@@ -12,7 +12,7 @@ RELATIVE = r'relative displacement has the unit um, but {} has the unit mm: give
 
 
 def pattern(scene, unit):
-    fields = [ss.Field(scene.grid, 1e-3 * np.ones(scene.grid.shape), unit) for _ in "xy"]
+    fields = [ss.Field(scene.grid, value * np.ones(scene.grid.shape), unit) for value in (1e-3, 0.0)]
     return ss.tangential.RelativeDisplacement(*fields)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ._checks import kind, refuse_type
@@ -22,7 +24,7 @@ def check_axes(axes: object) -> None:
     refuse_type("axes", f"must be Axes of matplotlib, got {kind(axes)}{remedy}")
 
 
-def check_factors(**factors: object) -> None:
+def check_factors(**factors: Any) -> None:
     """Raises an error unless the factors are numbers or ``None``."""
     for name, value in factors.items():
         is_other = isinstance(value, (str, bytes, bool, np.bool_)) or not hasattr(value, "__float__") or np.ndim(value) != 0
@@ -39,6 +41,6 @@ def factor(given: float | None, own: str | None, shown: str) -> float:
     if own is None or not shown:
         return 1.0
     try:
-        return Field(Grid(1, 1, 1.0, 1.0), [[1.0]], own).to_unit(shown).max()
+        return float(Field(Grid(1, 1, 1.0, 1.0), [[1.0]], own).to_unit(shown).max())
     except ValueError:  # not a unit of length
         return 1.0

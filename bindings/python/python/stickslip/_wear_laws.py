@@ -64,7 +64,7 @@ class JumpLaw(Protocol):
         cycle : Cycle
             The computed cycle, which represents the following cycles.
         dissipation : ndarray of shape (ny, nx)
-            Energy that each cell dissipated in the run before these cycles, including the cycles jumped over.
+            Energy that each cell dissipated in the run before these cycles, including the cycles jumped over; read-only.
         cycles : int
             The number of cycles.
 

@@ -216,9 +216,9 @@ def from_xarray(array: xarray.DataArray) -> Field:
         _factor(own, own)  # an unknown unit is rejected
     sides = []
     for axis in ("x", "y"):
-        along = _real(array[axis], f"the coordinates along {axis}")
-        side = _side(along, axis)
-        steps = np.diff(along)
+        centres = _real(array[axis], f"the coordinates along {axis}")
+        side = _side(centres, axis)
+        steps = np.diff(centres)
         if not side > 0.0 or np.abs(steps - side).max() > 1e-6 * side:
             raise ValueError(f"the coordinates along {axis} must be evenly spaced and increasing")
         unit = array[axis].attrs.get("units")
