@@ -46,6 +46,8 @@ def hints(text: str) -> str:
     text = re.sub(r"\bCallable(?!\[)", "Callable[[NDArray[float64], NDArray[float64]], ArrayLike]", text)
     text = re.sub(r"\bdict(?!\[)", "dict[str, Any]", text)
     text = re.sub(r"\btuple(?!\[)", "tuple[Any, ...]", text)
+    # Truth values are read by a function, which has no type hint.
+    text = re.sub(r"(?<=, )(\w+)\s*=\s*(True|False)(?=[,)])", r"\1: bool = \2", text)
     # Loads given by position are accepted only to be rejected with the names of their keywords.
     text = text.replace("*positional", "*")
     text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)

@@ -37,6 +37,20 @@ impl Format {
         self.at(Place::Entry(name.into()), problem)
     }
 
+    /// Returns an error if bytes are compressed, which no reader expands.
+    pub(crate) fn check_compression(self, bytes: &[u8]) -> Result<()> {
+        let program = match bytes {
+            [0x1f, 0x8b, ..] => "gzip",
+            [b'P', b'K', 3, 4, ..] => "zip",
+            [b'B', b'Z', b'h', _, b'1', b'A', b'Y', ..] => "bzip2",
+            [0xfd, b'7', b'z', b'X', b'Z', ..] => "xz",
+            [0x28, 0xb5, 0x2f, 0xfd, ..] => "zstd",
+            _ => return Ok(()),
+        };
+        let problem = format!("the data are compressed by {program}: decompress them first");
+        Err(self.at_byte(0, problem))
+    }
+
     /// Checks that a number at a position in the file is positive and finite.
     pub(crate) fn positive(self, place: Place, quantity: &'static str, value: f64) -> Result<f64> {
         positive(quantity, value).map_err(|error| self.at(place, error.to_string()))

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::csv;
 use super::missing;
 use super::text::{Separator, excerpt, lines, without_mark};
-use super::{Place, Sides, check_compression, parse_file};
+use super::{Place, Sides, parse_file};
 use crate::error::{Error, Result};
 use crate::files::Format;
 use crate::grid::field::Field;
@@ -70,7 +70,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     if is_gwyddion(bytes) {
         return parse_gwyddion(bytes);
     }
-    check_compression(FORMAT, bytes)?;
+    FORMAT.check_compression(bytes)?;
     check_esri(FORMAT, bytes, 0)?;
     if !is_asc(bytes) {
         return Err(FORMAT.on_line(1, "the file does not start with # File Format = ASCII"));

@@ -183,20 +183,6 @@ fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<
     parse(&bytes).map_err(|error| in_file(path, error))
 }
 
-/// Returns an error if bytes are compressed, which no reader expands.
-fn check_compression(format: Format, bytes: &[u8]) -> Result<()> {
-    let program = match bytes {
-        [0x1f, 0x8b, ..] => "gzip",
-        [b'P', b'K', 3, 4, ..] => "zip",
-        [b'B', b'Z', b'h', _, b'1', b'A', b'Y', ..] => "bzip2",
-        [0xfd, b'7', b'z', b'X', b'Z', ..] => "xz",
-        [0x28, 0xb5, 0x2f, 0xfd, ..] => "zstd",
-        _ => return Ok(()),
-    };
-    let problem = format!("the data are compressed by {program}: decompress them first");
-    Err(format.at_byte(0, problem))
-}
-
 /// Creates or replaces a file.
 fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     std::fs::write(path, bytes).map_err(|error| refused(path, error))

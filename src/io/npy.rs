@@ -11,7 +11,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::text::excerpt;
-use super::{Place, Sides, check_compression, missing, parse_file, write_bytes};
+use super::{Place, Sides, missing, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::replace;
 use crate::files::{ByteOrder, Cursor, NumberFormat};
@@ -248,7 +248,7 @@ impl ArrayHeader {
             let problem = "the file is a zip archive, as an NPZ file: save one array by numpy.save";
             return Err(FORMAT.at_byte(0, problem));
         }
-        check_compression(FORMAT, bytes)?;
+        FORMAT.check_compression(bytes)?;
         let mut bytes = Cursor::new(FORMAT, bytes);
         if bytes.take("the magic string", MAGIC.len())? != MAGIC {
             return Err(FORMAT.at_byte(0, "the file does not start with \\x93NUMPY"));

@@ -8,7 +8,7 @@
 use std::path::Path;
 
 use super::text::{Separator, excerpt, lines};
-use super::{Place, check_compression, parse_file, write_bytes};
+use super::{Place, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::Format;
 use crate::files::{ByteOrder, Cursor, NumberFormat};
@@ -52,7 +52,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn parse(bytes: &[u8]) -> Result<Field> {
-    check_compression(FORMAT, bytes)?;
+    FORMAT.check_compression(bytes)?;
     if begins_as(&BINARIES, bytes) {
         parse_binary(bytes)
     } else if begins_as(&TEXTS, bytes) {

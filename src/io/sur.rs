@@ -9,7 +9,7 @@
 use std::path::Path;
 
 use super::text::excerpt;
-use super::{Place, check_compression, parse_file};
+use super::{Place, parse_file};
 use crate::error::Result;
 use crate::files::Format;
 use crate::files::{ByteOrder, Cursor, NumberFormat};
@@ -38,7 +38,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 ///   in the file require, or if the file is compressed (`DSCOMPRESSED`). The remedy for a compressed file is to save it
 ///   uncompressed.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
-    check_compression(FORMAT, bytes)?;
+    FORMAT.check_compression(bytes)?;
     let mut bytes = Cursor::new(FORMAT, bytes);
     let magic = bytes.take("the magic string", MAGIC.len())?;
     if magic == COMPRESSED {

@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use super::check_compression;
 use crate::error::Result;
 use crate::files::Format;
 
@@ -19,7 +18,7 @@ pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
 
 /// Returns an error if a text is compressed, or if it is in UTF-16 or UTF-32, which encode digits differently from UTF-8.
 pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
-    check_compression(format, bytes)?;
+    format.check_compression(bytes)?;
     // Both bytes after the mark are tested, because a damaged file might begin with the bytes of the mark.
     let encoding = match bytes {
         [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => "UTF-32",

@@ -297,6 +297,18 @@ fn each_kind_is_read_continued_and_written_again() -> Result<()> {
 }
 
 #[test]
+fn compressed_bytes_are_named() {
+    for (start, program) in [
+        (&b"\x1f\x8b\x08\0\0\0\0\0\0\x03"[..], "gzip"),
+        (b"BZh91AY&SY", "bzip2"),
+    ] {
+        let error = State::from_bytes(start).unwrap_err().to_string();
+        let problem = format!("the data are compressed by {program}: decompress them first");
+        assert!(error.contains(&problem), "{error}");
+    }
+}
+
+#[test]
 fn slabs_are_read_on_one_two_and_three_ranks() -> Result<()> {
     let path = folder().join("slabs.state");
     let kind = &KINDS[0];

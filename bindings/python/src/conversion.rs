@@ -28,9 +28,10 @@ macro_rules! due {
                 let instead = concat!("" $(, ": ", $instead)?);
                 is_real(&object, named_in($due))?;
                 is_no_mask(&object, named_in($due))?;
-                as_due(&in_order(&object, $due)?)
+                let ordered = in_order(&object, $due)?;
+                as_due(&ordered)
                     .map(Self)
-                    .map_err(|error: PyErr| refused(&object, &error, $due, instead))
+                    .map_err(|error: PyErr| refused(&object, &ordered, &error, $due, instead))
             }
         }
     )+};
@@ -103,8 +104,9 @@ macro_rules! springs {
                 let due = concat!("the position of ", $keyword, " must be ", $position);
                 is_real(&position, named_in(due))?;
                 is_no_mask(&position, named_in(due))?;
-                let position = as_due(&in_order(&position, due)?)
-                    .map_err(|error: PyErr| refused(&position, &error, due, ""))?;
+                let ordered = in_order(&position, due)?;
+                let position = as_due(&ordered)
+                    .map_err(|error: PyErr| refused(&position, &ordered, &error, due, ""))?;
                 let stiffness: Real = stiffness.extract()?;
                 Ok(Self((position, stiffness.0)))
             }
@@ -238,9 +240,10 @@ fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<
     if object.len().is_ok_and(|length| length == 0) {
         return Ok(Vec::new());
     }
-    let refused = |error: &PyErr| refused(object, error, due, instead);
+    let ordered = in_order(object, due)?;
+    let refused = |error: &PyErr| refused(object, &ordered, error, due, instead);
     let rows: PyArrayLike2<'_, f64, AllowTypeChange> =
-        numbers(&in_order(object, due)?).map_err(|error: PyErr| refused(&error))?;
+        numbers(&ordered).map_err(|error: PyErr| refused(&error))?;
     let rows = rows.as_array();
     if rows.ncols() != 3 {
         return Err(refused(&PyTypeError::new_err(due.to_owned())));
@@ -249,10 +252,17 @@ fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<
     Ok(rows.map(|row| [row[0], row[1], row[2]]).collect())
 }
 
-/// Returns the exception that states the expected form, or that names the number out of range if the form is right.
-fn refused(object: &Bound<'_, PyAny>, error: &PyErr, due: &str, instead: &str) -> PyErr {
+/// Returns the exception that states the expected form, or that names the number out of range if the form is right. The entries
+/// are those of the object in the expected order: iteration over a table would give its labels.
+fn refused(
+    object: &Bound<'_, PyAny>,
+    entries: &Bound<'_, PyAny>,
+    error: &PyErr,
+    due: &str,
+    instead: &str,
+) -> PyErr {
     if error.is_instance_of::<PyOverflowError>(object.py()) {
-        let number = overflowing::<f64>(object).or_else(|| overflowing::<usize>(object));
+        let number = overflowing::<f64>(entries).or_else(|| overflowing::<usize>(entries));
         if let Some(number) = number {
             let range = if number.lt(0).unwrap_or(false) {
                 "negative"
@@ -263,9 +273,9 @@ fn refused(object: &Bound<'_, PyAny>, error: &PyErr, due: &str, instead: &str) -
         }
     }
     let is_whole = due.ends_with("whole numbers");
-    let nested = object.try_iter().into_iter().flatten();
+    let nested = entries.try_iter().into_iter().flatten();
     let mut nested = nested.map_while(Result::ok);
-    let wrong = wrong_entry(object, is_whole)
+    let wrong = wrong_entry(entries, is_whole)
         .or_else(|| nested.find_map(|entry| wrong_entry(&entry, is_whole)));
     if let Some(wrong) = wrong {
         return PyTypeError::new_err(format!("{due}, got {wrong}"));

@@ -18,7 +18,7 @@ use crate::numpy_functions::{apply_to_arrays, apply_to_fields, as_numpy, reduced
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::Count;
 use crate::samples::Samples;
-use crate::unit::{Unit, factor, is_same, known, one_of};
+use crate::unit::{Unit, agree, factor, known, one_of};
 use crate::xarray::only_first_operand;
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -33,7 +33,8 @@ use crate::xarray::only_first_operand;
 /// dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
 /// steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
 /// either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
-/// those of a reversed, shuffled or transposed table, raise an error. Masked cells and the value ``NA`` of pandas are missing points
+/// those of a reversed or shuffled table, raise an error. A transposed table raises an error if its axes have the names y and x, or if
+/// its coordinates do not agree with the cell sides. On a grid of equal sides, a transposed table without names is not noticed. Masked cells and the value ``NA`` of pandas are missing points
 /// (NaN). They are rejected in a gap or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 ///
 /// Parameters
@@ -84,8 +85,7 @@ pub(crate) struct Field(pub(crate) Arc<stickslip::Field>, pub(crate) Option<Unit
 /// Fields are equal if their samples are equal and their units do not differ; a missing unit matches any unit.
 impl PartialEq for Field {
     fn eq(&self, other: &Self) -> bool {
-        let is_other = |(own, other): (&Unit, &Unit)| !is_same(own, other);
-        self.0 == other.0 && !self.1.as_ref().zip(other.1.as_ref()).is_some_and(is_other)
+        self.0 == other.0 && agree(self.1.as_ref(), other.1.as_ref())
     }
 }
 

@@ -18,6 +18,7 @@ use crate::grid::Grid;
 use crate::real::{Real, is_plane, out_of_range};
 use crate::samples::Samples;
 use crate::solution_pool::lock;
+use crate::unit::one_of;
 
 /// Scalar and vector fields by name.
 struct Arrays(Vec<(String, Vec<Arc<stickslip::Field>>)>);
@@ -39,8 +40,10 @@ impl Arrays {
 
     fn by_name(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
         let mut arrays = Vec::with_capacity(fields.len());
-        let one = |object: &Bound<'_, PyAny>| {
+        let mut unit = None;
+        let mut one = |object: &Bound<'_, PyAny>| {
             let samples: Samples<'_> = object.extract()?;
+            unit = one_of([unit.take(), samples.unit()?])?;
             match grid {
                 Some(grid) => samples.only_on(py, "field", grid.0),
                 None => samples.alone_or(
@@ -101,11 +104,25 @@ fn with_ending(py: Python<'_>, path: &Path, ending: &str) -> PyResult<()> {
         let text = given.to_string_lossy();
         text.starts_with(|first: char| first.is_ascii_alphabetic())
     };
-    let proposed = if given.is_some_and(is_extension) {
+    let own = format!(".{ending}");
+    let is_ending = |name: Option<&OsStr>| {
+        name.is_some_and(|name| name.to_string_lossy().eq_ignore_ascii_case(&own))
+    };
+    let stem = path.with_extension("");
+    let proposed = if is_ending(path.file_name()) {
+        // A name that starts with a point has no extension.
+        path.with_file_name(format!("fields{own}"))
+    } else if stem
+        .extension()
+        .is_some_and(|inner| inner.eq_ignore_ascii_case(ending))
+    {
+        // An image is not compressed.
+        stem
+    } else if given.is_some_and(is_extension) {
         path.with_extension(ending)
     } else {
         let mut name = path.as_os_str().to_owned();
-        name.push(format!(".{ending}"));
+        name.push(&own);
         name.into()
     };
     let message = format!(
@@ -133,6 +150,8 @@ fn with_ending(py: Python<'_>, path: &Path, ending: &str) -> PyResult<()> {
 /// ------
 /// ArgumentRange
 ///     If the path does not end in ``.vti``. :func:`to_bytes` returns the content for other paths.
+/// ValueError
+///     If the fields have different units.
 #[pyfunction]
 #[pyo3(signature = (path, fields, *, grid=None))]
 pub(crate) fn vti_write(

@@ -308,7 +308,7 @@ pub(crate) fn csv_read(
     missing: Option<Real>,
     skip_rows: Count,
     skip_columns: Count,
-    without_labels: bool,
+    #[pyo3(from_py_with = crate::real::flag)] without_labels: bool,
     unit: Option<&str>,
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
@@ -335,7 +335,7 @@ pub(crate) fn csv_parse(
     missing: Option<Real>,
     skip_rows: Count,
     skip_columns: Count,
-    without_labels: bool,
+    #[pyo3(from_py_with = crate::real::flag)] without_labels: bool,
     unit: Option<&str>,
     height_unit: Option<&str>,
 ) -> PyResult<Field> {

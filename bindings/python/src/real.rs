@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError};
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyFloat, PyInt, PyString, PyTuple};
 
 use crate::conversion::{kind_of, missing_value};
 use crate::error::named;
@@ -32,10 +32,35 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     };
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
     Ok(match &kind[..] {
+        "O" if has_text(&array)? => Some("text"),
         "c" => Some("complex: give the real part, .real"),
         "U" | "S" | "T" => Some("text"),
         "M" | "m" => Some("times"),
         _ => None,
+    })
+}
+
+/// Returns whether an array of objects contains text, which NumPy would convert to numbers if it can.
+fn has_text(array: &Bound<'_, PyAny>) -> PyResult<bool> {
+    for entry in array.getattr("flat")?.try_iter()? {
+        let entry = entry?;
+        if entry.is_instance_of::<PyString>() || entry.is_instance_of::<PyBytes>() {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Reads a truth value of Python or NumPy as an argument.
+pub(crate) fn flag(object: &Bound<'_, PyAny>) -> PyResult<bool> {
+    object.extract().map_err(|_: PyErr| {
+        let is_short = object.is_none()
+            || object.is_instance_of::<PyString>()
+            || object.is_instance_of::<PyInt>();
+        let shown = object.repr().ok().filter(|_| is_short);
+        let found = shown.map_or_else(|| kind_of(object), |text| text.to_string());
+        let message = format!("must be True or False, got {found}");
+        unnamed(object.py(), "ArgumentType", &message)
     })
 }
 

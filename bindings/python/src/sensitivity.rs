@@ -472,7 +472,7 @@ macro_rules! sensitive {
                 solution: &$solution,
                 functional: crate::sensitivity::Functional,
                 tolerance: Option<crate::real::Real>,
-                poisson_ratio: bool,
+                #[pyo3(from_py_with = crate::real::flag)] poisson_ratio: bool,
             ) -> pyo3::PyResult<crate::sensitivity::Sensitivity> {
                 let functionals = vec![functional];
                 let mut found =
@@ -490,7 +490,7 @@ macro_rules! sensitive {
                 solution: &$solution,
                 functionals: Vec<crate::sensitivity::Functional>,
                 tolerance: Option<crate::real::Real>,
-                poisson_ratio: bool,
+                #[pyo3(from_py_with = crate::real::flag)] poisson_ratio: bool,
             ) -> pyo3::PyResult<Vec<crate::sensitivity::Sensitivity>> {
                 let solution = solution.get();
                 let functionals = crate::sensitivity::contents(functionals);

@@ -49,6 +49,11 @@ pub(crate) fn is_same(a: &str, b: &str) -> bool {
     a == b || powers.is_some_and(|(a, b)| a == b)
 }
 
+/// Returns whether two objects have the same unit; a missing unit agrees with any unit.
+pub(crate) fn agree(a: Option<&Unit>, b: Option<&Unit>) -> bool {
+    a.zip(b).is_none_or(|(a, b)| is_same(a, b))
+}
+
 /// Returns the stated unit, or an error if two units differ.
 pub(crate) fn one_of(units: impl IntoIterator<Item = Option<Unit>>) -> PyResult<Option<Unit>> {
     let mut first: Option<Unit> = None;
@@ -64,6 +69,36 @@ pub(crate) fn one_of(units: impl IntoIterator<Item = Option<Unit>>) -> PyResult<
         }
     }
     Ok(first)
+}
+
+/// Returns an error if the unit of a relative displacement differs from the unit of the lengths with which it is used.
+pub(crate) fn check_relative(
+    lengths: &str,
+    known: Option<&Unit>,
+    given: Option<&Unit>,
+) -> PyResult<()> {
+    match (known, given) {
+        (Some(known), Some(given)) if !is_same(known, given) => {
+            let factor = factor(given, known)?;
+            Err(PyValueError::new_err(format!(
+                "relative displacement has the unit {given}, but {lengths} has the unit {known}: \
+                 give Field(grid, {factor:?} * samples, \"{known}\") if the sides of the grid are in {known}"
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Returns the unit of a history that continues from a state, or an error if the units differ.
+pub(crate) fn of_state(own: Option<&Unit>, state: Option<&Unit>) -> PyResult<Option<Unit>> {
+    if agree(own, state) {
+        return Ok(own.or(state).cloned());
+    }
+    let names = [own, state].map(|unit| unit.map_or("", |unit| &**unit));
+    Err(PyValueError::new_err(format!(
+        "state has the unit {}, but the gap of the history has the unit {}: continue by History.from_state(bodies, state)",
+        names[1], names[0]
+    )))
 }
 
 /// Returns the unit of a gap that replaces another gap, or an error if the units differ. A gap without a unit has the unit of the

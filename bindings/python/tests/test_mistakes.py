@@ -680,7 +680,8 @@ def test_gap_of_xarray_in_another_unit_is_rejected(scene):
     assert history.unit == "m"
     with pytest.raises(ValueError, match="gap has the unit nm, but the last gap had the unit m"):
         history.set_gap(xarray.DataArray(1e9 * scene.ball.array, dims=("y", "x"), attrs={"units": "nm"}))
-    assert ss.History.from_state(scene.bodies, history.state()).unit is None
+    assert ss.History.from_state(scene.bodies, history.state()).unit == "m"
+    assert ss.History.from_bytes(scene.bodies, history.to_bytes()).unit is None
 
 
 def test_history_of_adaptive_contact_has_unit_of_its_gap(scene):

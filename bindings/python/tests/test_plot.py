@@ -302,3 +302,51 @@ def test_plots_check_labels_of_pandas_and_xarray(scene):
         assert np.array_equal(ss.plot.field(scene.grid, values).images[0].get_array(), gap)
     with pytest.raises(ValueError, match="decreasing coordinates along y"):
         ss.plot.field(scene.grid, pandas.DataFrame(gap).iloc[::-1])
+
+
+def test_axes_of_another_kind_are_rejected_with_the_remedy(scene):
+    figure, axes = pyplot.subplots(1, 2)
+    for given, remedy in (
+        (pyplot.subplots(), r"give the second value of pyplot.subplots\(\)"),
+        (axes, r"give one of its entries, such as axes\[0\]"),
+        (figure, r"give figure.subplots\(\), or one of figure.axes"),
+        ("x", "class str"),
+    ):
+        with pytest.raises(ss.errors.ArgumentType, match=f"^axes must be Axes of matplotlib, got .*{remedy}"):
+            plot.field(scene.ball, axes=given)
+        with pytest.raises(ss.errors.ArgumentType, match="^axes must be"):
+            plot.pressure_map(scene.normal(), given)
+
+
+def test_unit_in_place_of_a_factor_is_rejected(scene):
+    contact, shear = sheared(scene)
+    for call in (
+        lambda **options: plot.field(scene.ball, **options),
+        lambda **options: plot.section(scene.ball, **options),
+        lambda **options: plot.pressure_map(contact, **options),
+        lambda **options: plot.stick_map(shear, **options),
+        lambda **options: plot.traction_map(shear, **options),
+        lambda **options: plot.spot_map(contact, **options),
+    ):
+        with pytest.raises(ss.errors.ArgumentType, match="^scale must be a number, got .* str: give the unit by length_unit='um'"):
+            call(scale="um")
+        call(scale=np.float32(1e6))
+    with pytest.raises(ss.errors.ArgumentType, match="^value_scale must be a number, .*: give the unit by unit='MPa'"):
+        plot.pressure_map(contact, value_scale="MPa")
+
+
+def test_lengths_of_known_unit_are_converted_into_the_unit_of_the_label(scene):
+    ball = ss.Field(scene.grid, scene.ball, "m")
+    axes = plot.field(ball, length_unit="\u00b5m", unit="nm")
+    assert axes.get_xlabel() == "x (\u00b5m)" and axes.get_xlim()[1] == pytest.approx(1e6 * scene.grid.extent[1])
+    assert axes.images[0].get_array().max() == pytest.approx(1e9 * scene.ball.max())
+    line = plot.section(scene.grid, ball, length_unit="mm", unit="um").lines[0]
+    assert line.get_xdata() == pytest.approx(1e3 * scene.grid.x) and line.get_ydata().max() <= 1e6 * scene.ball.max()
+    # Without a unit, with another quantity and with a factor, the numbers are drawn as given.
+    for drawn_field, options in ((scene.ball, {"length_unit": "um"}), (ball, {"length_unit": "a"}), (ball, {"length_unit": "um", "scale": 1.0})):
+        assert plot.field(drawn_field, **options).get_xlim()[1] == pytest.approx(scene.grid.extent[1])
+    history = ss.History(scene.bodies, ball, 0.5)
+    history.step(normal_force=FORCE)
+    history.step(force_x=20.0)
+    for draw in (plot.pressure_map, plot.stick_map, plot.traction_map, plot.spot_map):
+        assert draw(history, length_unit="mm").get_xlim()[1] == pytest.approx(1e3 * scene.grid.extent[1])

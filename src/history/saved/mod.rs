@@ -199,7 +199,9 @@ impl History {
 
 /// Reads the magic and the version and returns an error if they do not match this format.
 fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
-    if start.take("the magic string", MAGIC.len())? != MAGIC {
+    let magic = start.take("the magic string", MAGIC.len())?;
+    FORMAT.check_compression(magic)?;
+    if magic != MAGIC {
         return Err(FORMAT.at_byte(0, "the data do not start with \\x93STKSLIP"));
     }
     let version = start.u32("the version")?;

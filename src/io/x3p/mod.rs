@@ -11,7 +11,7 @@ mod zip;
 use std::path::Path;
 
 use super::text::excerpt;
-use super::{Place, check_compression, parse_file};
+use super::{Place, parse_file};
 use crate::error::{Error, Result};
 use crate::files::Format;
 use crate::files::{ByteOrder, NumberFormat};
@@ -53,7 +53,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     // The format itself is a zip archive.
     if !bytes.starts_with(b"PK") {
-        check_compression(FORMAT, bytes)?;
+        FORMAT.check_compression(bytes)?;
     }
     let archive = Archive::new(bytes)?;
     let folder = archive.folder_of(MAIN)?;

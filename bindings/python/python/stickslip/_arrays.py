@@ -1,13 +1,21 @@
-"""Arrays of the energies of cells, which contain their grid."""
+"""Arrays of the energies of cells, which contain their grid, and read-only arrays."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
     from ._stickslip import Grid
+
+
+def read_only(array: ArrayLike) -> NDArray[Any]:
+    """Returns a read-only view of an array."""
+    view = np.asarray(array).view()
+    view.flags.writeable = False
+    return view
 
 
 class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import os
 from collections.abc import Sequence
 from numbers import Integral, Real
 from typing import NoReturn
@@ -35,6 +36,19 @@ def check_whole(name: str, value: object, smallest: int, remedy: str = "") -> No
         error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
         error.argument = name
         raise error
+
+
+def path_of(path: object) -> str:
+    """Returns a path as text, or raises an error."""
+    try:
+        name = os.fsdecode(path)  # type: ignore[arg-type]
+    except TypeError:
+        refuse_type("path", f"must be a path, got {kind(path)}")
+    if not name:
+        error = ArgumentRange("path must not be empty")
+        error.argument = "path"
+        raise error
+    return name
 
 
 def check_call(name: str, function: object, *parameters: str) -> None:

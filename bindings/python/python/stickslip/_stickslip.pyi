@@ -2387,7 +2387,8 @@ class Field:
     dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
     steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
     either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
-    those of a reversed, shuffled or transposed table, raise an error. Masked cells and the value ``NA`` of pandas are missing points
+    those of a reversed or shuffled table, raise an error. A transposed table raises an error if its axes have the names y and x, or if
+    its coordinates do not agree with the cell sides. On a grid of equal sides, a transposed table without names is not noticed. Masked cells and the value ``NA`` of pandas are missing points
     (NaN). They are rejected in a gap or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 
     Parameters
@@ -3387,7 +3388,7 @@ class History:
     ------
     GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
     ValueError
-        If ``permanent_set`` is true without ``hardness``.
+        If ``permanent_set`` is true without ``hardness``, or if the units of gap and relative displacement differ.
 
     Examples
     --------
@@ -3479,7 +3480,7 @@ class History:
     def unit(self, /) -> str | None:
         """
         Unit of the lengths of the gap, if one of the gaps stated it. Later gaps must have the same unit or none. A history that was
-        restored from a state, a file or a pickle has no unit.
+        restored from bytes, a file or a pickle has no unit; a state in memory keeps it.
         """
     @property
     def unloaded_gap(self, /) -> NDArray[float64]:
@@ -3657,6 +3658,12 @@ class History:
     def set_relative_displacement(self, /, pattern: RelativeDisplacement) -> None:
         """
         Sets the pattern of the relative displacement.
+
+        Raises
+        ------
+        GridMismatch
+        ValueError
+            If the unit of the pattern differs from :attr:`unit`.
         """
     def set_state(self, /, state: State) -> None:
         """
@@ -3667,6 +3674,12 @@ class History:
         The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
         retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
         the cycle: add a step only after it is accepted.
+
+        Raises
+        ------
+        MaterialMismatch, GridMismatch, BoundaryMismatch
+        ValueError
+            If the unit of the state differs from :attr:`unit`.
         """
     @property
     def settings(self, /) -> Settings:
@@ -5819,7 +5832,7 @@ class Region:
 class RelativeDisplacement:
     """
     A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
-    expansion.
+    expansion. Fields with a unit raise an error where the gap has another unit.
 
     Parameters
     ----------
@@ -5852,6 +5865,11 @@ class RelativeDisplacement:
     def fields(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
         Components along x and y (lengths).
+        """
+    @property
+    def unit(self, /) -> str | None:
+        """
+        Unit of the fields; ``None`` if it is not known.
         """
 
 @final
@@ -6892,6 +6910,11 @@ class State:
         Restores a state from its bytes.
         """
     @property
+    def unit(self, /) -> str | None:
+        """
+        Unit of the gap of the history; ``None`` if it is not known. Bytes, files and pickles do not contain it.
+        """
+    @property
     def unloaded_gap(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set, plus the yielded depth.
@@ -7803,6 +7826,12 @@ class TangentialSolver:
     def set_relative_displacement(self, /, relative: RelativeDisplacement) -> None:
         """
         Sets the relative displacement of the next solve.
+
+        Raises
+        ------
+        GridMismatch
+        ValueError
+            If its unit differs from that of the earlier relative displacements.
         """
     @property
     def settings(self, /) -> Settings:
@@ -8478,6 +8507,8 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
     NegativeOrNotFinite, Sample, GridMismatch, NotFinite
     Shape
         If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+    ValueError
+        If the units of the energies and of the earlier depth differ.
     """
 
 def fill_missing(heights: Field | ArrayLike) -> Filled:
@@ -8925,6 +8956,8 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
     NegativeOrNotFinite, Sample, GridMismatch, NotFinite
     Shape
         If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+    ValueError
+        If the units of the energies and of the earlier depth differ.
     """
 
 def vti_to_bytes(fields: Any, *, grid: Grid | None = None) -> bytes:
@@ -8951,6 +8984,8 @@ def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = Non
     ------
     ArgumentRange
         If the path does not end in ``.vti``. :func:`to_bytes` returns the content for other paths.
+    ValueError
+        If the fields have different units.
     """
 
 def x3p_parse(bytes: bytes | bytearray | memoryview) -> Field:

@@ -10,6 +10,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import read_only
 from ._stickslip import Cycle, CycleJump, Field, Grid, History, archard, energy, max_stable_cycles, threshold_energy
 from .errors import NoWholeCycle, Shape
 
@@ -63,7 +64,7 @@ class JumpLaw(Protocol):
         cycle : Cycle
             The computed cycle, which represents the following cycles.
         dissipation : ndarray of shape (ny, nx)
-            Energy that each cell dissipated in the run before these cycles, including the cycles jumped over.
+            Energy that each cell dissipated in the run before these cycles, including the cycles jumped over; read-only.
         cycles : int
             The number of cycles.
 
@@ -153,7 +154,7 @@ class JumpWear:
         """Returns the number of cycles of a jump and the depth that they remove."""
 
         def removed(cycles: int) -> NDArray[Any]:
-            return _checked(self.law.depth_of_jump(history, cycle, dissipation, cycles), history)
+            return _checked(self.law.depth_of_jump(history, cycle, read_only(dissipation), cycles), history)
 
         # Rejects a cycle that is not closed, and a depth that is negative or not finite. No wear sets no other limit.
         first = removed(1)

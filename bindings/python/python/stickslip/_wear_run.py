@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import itertools
 import os
 import shutil
 import zipfile
@@ -16,7 +17,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._checks import check_call, check_whole, kind, refuse_type
+from ._arrays import read_only
+from ._checks import check_call, check_whole, kind, path_of, refuse_type
 from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
 from ._stickslip import Cycle, Field, HalfSpace, History, State
@@ -27,13 +29,31 @@ from .errors import ArgumentRange, EmptyContact, File, Format, SnapshotMismatch,
 if TYPE_CHECKING:
     from .history import FrettingLoop
 
+# Numbers in the names of partial files.
+_PARTIAL_FILES = itertools.count()
+
 # Exceptions of NumPy for a file that is not an archive of arrays, or is damaged.
 _DAMAGE = (ValueError, TypeError, LookupError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error)
 
 
+class _WithArrays:
+    """A dataclass whose arrays are read-only. A change in place would otherwise change a run, or have no effect."""
+
+    def __post_init__(self) -> None:
+        self._protect(self.__dict__)
+
+    def __setstate__(self, attributes: dict[str, Any]) -> None:
+        # Pickled arrays of NumPy are writable.
+        self._protect(attributes)
+
+    def _protect(self, attributes: dict[str, Any]) -> None:
+        for name, value in list(attributes.items()):
+            object.__setattr__(self, name, read_only(value) if isinstance(value, np.ndarray) else value)
+
+
 @dataclass(frozen=True, eq=False)
-class WearHistory:
-    """Quantities during wear, as arrays with one entry per computed gap.
+class WearHistory(_WithArrays):
+    """Quantities during wear, as read-only arrays with one entry per computed gap.
 
     Each entry describes the cycle that was computed on this gap. The last entry describes the final gap, unless the run was
     stopped or interrupted before its cycle was computed.
@@ -95,11 +115,12 @@ class WearHistory:
 
 
 @dataclass(frozen=True, eq=False)
-class WearSnapshot:
+class WearSnapshot(_WithArrays):
     """State of a run between two cycles, from which :func:`run` resumes.
 
     The results are bitwise identical to those of an uninterrupted run, provided that its jumps were not shortened. The last
     jump of a run is shortened to the requested number of cycles, so that a continuation with more cycles has other jumps.
+    The arrays are read-only.
 
     Snapshots can be pickled, and saved to a file by :meth:`save`.
     """
@@ -133,11 +154,15 @@ class WearSnapshot:
 
         Raises
         ------
+        ArgumentType, ArgumentRange
+            If the path is not a path, or is empty.
         File
             If the file cannot be written.
         """
-        target = os.path.realpath(path)
-        partial = f"{target}.{os.getpid()}.part"
+        name = path_of(path)
+        target = os.path.realpath(name)
+        # Several threads may save snapshots to one file.
+        partial = f"{target}.{os.getpid()}.{next(_PARTIAL_FILES)}.part"
         try:
             if os.path.exists(target) and not (os.path.isfile(target) or os.path.isdir(target)):
                 raise OSError(errno.EINVAL, "the path is not a regular file")
@@ -159,7 +184,7 @@ class WearSnapshot:
                     shutil.copymode(target, partial)  # some file systems have no permissions
             os.replace(partial, target)
         except OSError as cause:
-            raise _not_written(os.fspath(path), cause) from cause
+            raise _not_written(name, cause) from cause
         finally:
             with contextlib.suppress(OSError):
                 os.remove(partial)  # after the renaming there is none
@@ -175,7 +200,8 @@ class WearSnapshot:
         OSError
             If the file cannot be read.
         """
-        with open(path, "rb") as opened:
+        name = path_of(path)
+        with open(name, "rb") as opened:
             try:
                 with np.load(opened, allow_pickle=False) as file:
                     return WearSnapshot(
@@ -190,9 +216,10 @@ class WearSnapshot:
                         int(file["first_step"]),
                     )
             except (*_DAMAGE, StickslipError) as cause:
-                name, problem = os.fspath(path), "the file is not a snapshot of wear.run, or it is damaged"
-                error = Format(f"{name}: {problem}: give a file written by WearSnapshot.save")
-                error.file, error.format, error.place, error.problem = str(name), "snapshot", "file", problem
+                opened.seek(0)
+                problem, remedy = _not_a_snapshot(opened.read(4))
+                error = Format(f"{name}: {problem}: {remedy}")
+                error.file, error.format, error.place, error.problem = name, "snapshot", "file", problem
                 raise error from cause
 
     def restored(self, bodies: HalfSpace) -> History:
@@ -437,9 +464,20 @@ def run(
             raise
 
 
-def _not_written(path: str | bytes, cause: OSError) -> File:
+def _not_a_snapshot(start: bytes) -> tuple[str, str]:
+    """Returns the problem of a file that is not a snapshot, by its first bytes, and the remedy."""
+    for mark, name, program in ((b"\x1f\x8b", "gzip", "gunzip"), (b"BZh", "bzip2", "bunzip2"), (b"\xfd7zX", "xz", "unxz")):
+        if start.startswith(mark):
+            return f"the file is compressed by {name}", f"decompress it by {program}"
+    if start == b"\x93STK":
+        return "the file is a saved history", "load it by History.load"
+    problem = "the file is not a snapshot of wear.run, or it is damaged"
+    return problem, "give a file written by WearSnapshot.save"
+
+
+def _not_written(name: str, cause: OSError) -> File:
     """Returns the exception for a file that cannot be written, as other writers raise it."""
-    name, problem = os.fsdecode(path), f"{cause.strerror} (os error {cause.errno})"
+    problem = f"{cause.strerror} (os error {cause.errno})"
     error = File(f"{name}: {problem}")
     error.path = error.filename = name
     error.problem = error.strerror = problem

@@ -6,7 +6,8 @@ column of cells, such as the grid of a line contact, is drawn as a profile: a li
 
 The package does not prescribe units and only appends the given units to the labels. ``length_unit`` is the unit of
 coordinates and shifts after multiplication by ``scale`` (1e3 shows metres as millimetres). ``unit`` is the unit of the
-drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``.
+drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``. Without a factor, lengths of a Field or a
+history with a unit are converted into the unit of the label.
 
 Colour bars of values without sign, such as pressure, start at zero. Values with both signs have colours with zero in the
 middle. The options ``cmap``, ``vmin``, ``vmax`` and ``norm`` replace these defaults.
@@ -21,6 +22,7 @@ import numpy as np
 
 from ._checks import kind, refuse_type, require, require_entries
 from ._enums import Zone
+from ._plot_arguments import check_axes, check_factors, factor
 from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
 
@@ -43,6 +45,7 @@ _STRESSES = {"von_mises": "von Mises", "max_shear": "largest shear stress", "hyd
 
 
 def _axes(axes: Axes | None) -> Axes:
+    check_axes(axes)
     if axes is None:
         try:
             import matplotlib.pyplot as pyplot
@@ -186,8 +189,8 @@ def field(
     *,
     label: str = "",
     unit: str = "",
-    value_scale: float = 1.0,
-    scale: float = 1.0,
+    value_scale: float | None = None,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -204,10 +207,12 @@ def field(
         Axes to draw into; new axes by default.
     label, unit : str, default ""
         Name of the values, and their unit after multiplication by ``value_scale``.
-    value_scale : float, default 1
-        Factor for the values, such as 1e-9 to show Pa as GPa.
-    scale : float, default 1
-        Factor for the coordinates, such as 1e3 to show metres as millimetres.
+    value_scale : float, optional
+        Factor for the values, such as 1e-9 to show Pa as GPa. The default is 1. If the values have a unit and ``unit`` is a unit of
+        length, the default converts them.
+    scale : float, optional
+        Factor for the coordinates, such as 1e3 to show metres as millimetres. The default is 1. If the field or the history has a
+        unit and ``length_unit`` is a unit of length, the default converts the coordinates.
     length_unit : str, default ""
         Unit of the coordinates after multiplication by ``scale``.
     **options
@@ -218,8 +223,13 @@ def field(
     Shape
     TypeError
         If the first argument is a grid without values, or neither a grid nor a field.
+    ArgumentType
+        If ``axes`` are no Axes, or a factor is no number.
     """
+    check_factors(scale=scale, value_scale=value_scale)
     grid, values = _with_grid(grid, values)
+    own = getattr(values, "unit", None)
+    scale, value_scale = factor(scale, own, length_unit), factor(value_scale, own, unit)
     samples = _samples(grid, values)
     along = _profile_axis(grid)
     if along is not None:
@@ -243,8 +253,8 @@ def section(
     at: float = 0.0,
     label: str = "",
     unit: str = "",
-    value_scale: float = 1.0,
-    scale: float = 1.0,
+    value_scale: float | None = None,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -274,8 +284,13 @@ def section(
         If the first argument is a grid without values, or neither a grid nor a field.
     ValueError
         If ``along`` is not an axis, or ``at`` is outside the grid.
+    ArgumentType
+        If ``axes`` are no Axes, or a factor is no number.
     """
+    check_factors(scale=scale, value_scale=value_scale)
     grid, values = _with_grid(grid, values)
+    own = getattr(values, "unit", None)
+    scale, value_scale = factor(scale, own, length_unit), factor(value_scale, own, unit)
     samples = value_scale * _samples(grid, values)
     direction, place = _place(grid, along, at)
     axes = _axes(axes)
@@ -294,7 +309,7 @@ def pressure_map(
     *,
     unit: str = "",
     value_scale: float = 1.0,
-    scale: float = 1.0,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -302,8 +317,10 @@ def pressure_map(
 
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
+    check_factors(scale=scale, value_scale=value_scale)
     solution = _half(solution, "normal")
     _require_solution(solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
+    scale = factor(scale, getattr(solution, "unit", None), length_unit)
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -322,14 +339,16 @@ def pressure_map(
 
 
 def stick_map(
-    solution: Any, axes: Axes | None = None, *, scale: float = 1.0, length_unit: str = ""
+    solution: Any, axes: Axes | None = None, *, scale: float | None = None, length_unit: str = ""
 ) -> Axes:
     """Draws the stick zone and the slip zone of a tangential, coupled or rolling solution, a state or a history.
 
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
+    check_factors(scale=scale)
     solution = _half(solution, "tangential", "rolling")
     _require_solution(solution, ("zones", "grid"), _SHEARED)
+    scale = factor(scale, getattr(solution, "unit", None), length_unit)
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -352,7 +371,7 @@ def traction_map(
     arrows: int = 16,
     unit: str = "",
     value_scale: float = 1.0,
-    scale: float = 1.0,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -373,8 +392,10 @@ def traction_map(
     **options
         Options of ``imshow``, or of ``plot`` for a profile.
     """
+    check_factors(scale=scale, value_scale=value_scale)
     solution = _half(solution, "tangential", "rolling")
     _require_solution(solution, ("traction", "grid"), _SHEARED)
+    scale = factor(scale, getattr(solution, "unit", None), length_unit)
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
@@ -411,7 +432,7 @@ def spot_map(
     by: str = "mean_pressure",
     unit: str = "",
     value_scale: float = 1.0,
-    scale: float = 1.0,
+    scale: float | None = None,
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
@@ -439,6 +460,8 @@ def spot_map(
     known = ("number", "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
         raise ValueError(f"by must be one of {', '.join(known)}, got {by!r}")
+    check_factors(scale=scale, value_scale=value_scale)
+    scale = factor(scale, getattr(spots, "unit", None), length_unit)
     spots = _spots_of(spots)
     if by == "number":
         return _numbered(spots, axes, scale, length_unit, options)
@@ -515,6 +538,7 @@ def stress_section(
         If there are fewer than two planes, if the stress is unknown, if ``along`` is not an axis, or if ``at`` is outside
         the grid.
     """
+    check_factors(scale=scale, value_scale=value_scale)
     require_entries("planes", planes, ("normal_stress",), "a sequence of Plane, as returned by Planes.solve_all")
     if len(planes) < 2:
         raise ValueError(f"a section requires planes at two depths or more, got {len(planes)}")
@@ -561,6 +585,7 @@ def hysteresis(
     ``unit`` and ``value_scale`` refer to the force, ``length_unit`` and ``scale`` to the shift. The options are passed to
     ``plot``.
     """
+    check_factors(scale=scale, value_scale=value_scale)
     component = _component(axis)
     require("cycle", cycle, ("points",), "a Cycle, such as the attribute last of the result of a loop")
     axes = _axes(axes)
@@ -584,6 +609,7 @@ def work_precision(
     ``scale`` is a factor for the time and ``unit`` the resulting unit, such as 1e3 and "ms". The options are passed to
     ``loglog``.
     """
+    check_factors(scale=scale)
     named = reports if isinstance(reports, Mapping) else {"": reports}
     named = {name: list(line) if isinstance(line, Iterable) else line for name, line in named.items()}
     for line in named.values():

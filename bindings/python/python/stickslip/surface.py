@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ._checks import kind, refuse_type
 from ._enums import Amplitudes, Interpolation
 from ._stickslip import (
     Autocorrelation,
@@ -52,6 +53,8 @@ def from_topography(topography: Any) -> Field:
 
     Raises
     ------
+    ArgumentType
+        If the object is no topography, for example an array.
     ValueError
         If the heights do not have two dimensions, or if there are no physical sizes.
 
@@ -68,6 +71,9 @@ def from_topography(topography: Any) -> Field:
     >>> field.array[1]
     array([1., 3., 5., 7.])
     """
+    if not (callable(getattr(topography, "heights", None)) and hasattr(topography, "physical_sizes")):
+        remedy = ": create a Field by Field(grid, array)" if isinstance(topography, np.ndarray) else ""
+        refuse_type("topography", f"must have heights() and physical_sizes, got {kind(topography)}{remedy}")
     heights: Any = np.ma.asarray(topography.heights(), dtype=float)
     if heights.ndim != 2:
         raise ValueError(f"the heights of the topography have {heights.ndim} dimensions, expected 2")

@@ -281,7 +281,7 @@ impl AdaptiveProblem {
         &self,
         py: Python<'_>,
         progress: Option<Bound<'_, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<AdaptiveSolution> {
         let progress = Progress::of_grids(progress.as_ref())?;
         let input = &self.input;

@@ -20,7 +20,7 @@ use crate::samples::Samples;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
-use crate::unit::Unit;
+use crate::unit::{Unit, check_relative};
 use crate::work::unobserved_on;
 
 /// Bodies, gap, friction and loads of a contact whose pressure and tractions are solved simultaneously, from rest in one
@@ -133,6 +133,9 @@ impl CoupledProblem {
             .with(py, "hardness", hardness.clone().map(Hardness))?
             .with(py, "settings", Some(Settings(settings)))?;
         let Field(gap, unit) = gap;
+        if let Some(relative) = &relative_displacement {
+            check_relative("the gap", unit.as_ref(), relative.1.as_ref())?;
+        }
         let built = unobserved_on(py, grid, || {
             let mut builder =
                 stickslip::CoupledProblem::builder(&bodies.0, gap, friction, normal, load)
@@ -155,7 +158,7 @@ impl CoupledProblem {
         &self,
         py: Python<'py>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, CoupledSolution>> {
         let solver = || self.0.clone().into_solver();
         solve_once(py, self.1.cells(), solver, progress, warn)

@@ -56,7 +56,7 @@ impl CoupledSolver {
         &self,
         py: Python<'py>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, CoupledSolution>> {
         self.0.solve(py, |_| Ok(()), progress, warn)
     }

@@ -51,7 +51,7 @@ impl History {
     }
 
     /// Unit of the lengths of the gap, if one of the gaps stated it. Later gaps must have the same unit or none. A history that was
-    /// restored from a state, a file or a pickle has no unit.
+    /// restored from bytes, a file or a pickle has no unit; a state in memory keeps it.
     #[getter]
     fn unit(&self) -> PyResult<Option<String>> {
         let unit = lock(&self.work, NAME)?.unit.clone();
@@ -229,7 +229,11 @@ impl History {
     ///     with a normal load after a change of the gap.
     /// NotConverged
     #[pyo3(signature = (*, next_step=false))]
-    fn stiffness(&self, py: Python<'_>, next_step: bool) -> PyResult<ContactStiffness> {
+    fn stiffness(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = crate::real::flag)] next_step: bool,
+    ) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
         let mut workspace = StiffnessWorkspace::new().next_step(next_step);

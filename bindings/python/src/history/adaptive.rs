@@ -120,7 +120,7 @@ impl AdaptiveSteps {
         history: Object<History>,
         load: StepArgument,
         cycle: Option<Object<Cycle>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<usize> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let mut cycle = cycle.as_deref().map(Cycle::lock).transpose()?;

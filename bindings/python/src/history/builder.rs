@@ -19,7 +19,7 @@ use crate::samples::Samples;
 use crate::settings::{Settings, chosen};
 use crate::solution_pool::lock;
 use crate::tangential::RelativeDisplacement;
-use crate::unit::Unit;
+use crate::unit::{Unit, check_relative};
 use crate::work::unobserved_on;
 
 /// Two bodies in contact with memory of their load: pressure, traction, slip and energy, step by step.
@@ -63,7 +63,7 @@ use crate::work::unobserved_on;
 /// ------
 /// GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
 /// ValueError
-///     If ``permanent_set`` is true without ``hardness``.
+///     If ``permanent_set`` is true without ``hardness``, or if the units of gap and relative displacement differ.
 ///
 /// Examples
 /// --------
@@ -174,7 +174,7 @@ impl History {
         entry_rule: Option<Choice<EntryRule>>,
         relative_displacement: Option<RelativeDisplacement>,
         hardness: Option<AnyHardness<'_>>,
-        permanent_set: bool,
+        #[pyo3(from_py_with = crate::real::flag)] permanent_set: bool,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
@@ -192,6 +192,9 @@ impl History {
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let Field(gap, unit) = gap;
+        if let Some(relative) = &relative_displacement {
+            check_relative("the gap", unit.as_ref(), relative.1.as_ref())?;
+        }
         let history = unobserved_on(py, grid, || {
             let builder = stickslip::History::builder(&bodies.0, gap, friction);
             let mut builder = builder.settings(settings).permanent_set(permanent_set);
@@ -264,12 +267,23 @@ impl History {
     }
 
     /// Sets the pattern of the relative displacement.
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch
+    /// ValueError
+    ///     If the unit of the pattern differs from :attr:`unit`.
     fn set_relative_displacement(
         &self,
         py: Python<'_>,
         pattern: RelativeDisplacement,
     ) -> PyResult<()> {
-        self.change(py, |history| history.set_relative_displacement(&pattern.0))
+        let mut work = lock(&self.work, NAME)?;
+        check_relative("the gap", work.unit.as_ref(), pattern.1.as_ref())?;
+        let history = &mut work.history;
+        unobserved_on(py, self.grid(), || {
+            history.set_relative_displacement(&pattern.0)
+        })
     }
 
     /// Method, tolerance and limits of later steps; assignable.

@@ -11,8 +11,11 @@ use crate::argument::Object;
 use crate::content::Content;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
+use crate::history::builder::NAME;
 use crate::history::{History, State};
 use crate::pickle::{Standalone, by_itself};
+use crate::solution_pool::lock;
+use crate::unit::of_state;
 use crate::work::unobserved_on;
 
 /// Class, bodies and bytes of a history.
@@ -22,7 +25,11 @@ type Saved<'py> = (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>);
 impl History {
     /// Returns a snapshot of the state.
     fn state(&self) -> PyResult<State> {
-        self.read(|history| State(Arc::new(history.state().clone())))
+        let work = lock(&self.work, NAME)?;
+        Ok(State(
+            Arc::new(work.history.state().clone()),
+            work.unit.clone(),
+        ))
     }
 
     /// Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
@@ -32,8 +39,19 @@ impl History {
     /// The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
     /// retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
     /// the cycle: add a step only after it is accepted.
+    ///
+    /// Raises
+    /// ------
+    /// MaterialMismatch, GridMismatch, BoundaryMismatch
+    /// ValueError
+    ///     If the unit of the state differs from :attr:`unit`.
     fn set_state(&self, py: Python<'_>, state: Object<State>) -> PyResult<()> {
-        self.change(py, |history| history.set_state(&state.0))
+        let mut work = lock(&self.work, NAME)?;
+        let unit = of_state(work.unit.as_ref(), state.1.as_ref())?;
+        let history = &mut work.history;
+        unobserved_on(py, self.grid(), || history.set_state(&state.0))?;
+        work.unit = unit;
+        Ok(())
     }
 
     /// Creates a history that continues from a state, on the bodies of that state.
@@ -46,7 +64,7 @@ impl History {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_state(&bodies.0, (*state.0).clone())
         })?;
-        Ok(Self::of(history, &bodies, None))
+        Ok(Self::of(history, &bodies, state.1.clone()))
     }
 
     /// Returns the state as bytes, with all data that the next step needs except the bodies.

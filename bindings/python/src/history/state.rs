@@ -19,6 +19,7 @@ use crate::pickle::{Standalone, by_itself};
 use crate::readers::readers;
 use crate::sequence::pair;
 use crate::settings::Settings;
+use crate::unit::{Unit, agree};
 
 /// Class and bytes of a state.
 type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
@@ -27,8 +28,17 @@ type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 /// the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies.
 /// Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
 #[pyclass(frozen, eq, module = "stickslip.history")]
-#[derive(PartialEq)]
-pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
+pub(crate) struct State(
+    pub(crate) Arc<stickslip::history::State>,
+    /// Unit of the gap.
+    pub(super) Option<Unit>,
+);
+
+impl PartialEq for State {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0 && agree(self.1.as_ref(), other.1.as_ref())
+    }
+}
 
 readers! { State.0:
     /// Grid of the fields.
@@ -61,6 +71,12 @@ readers! { State.0:
 
 #[pymethods]
 impl State {
+    /// Unit of the gap of the history; ``None`` if it is not known. Bytes, files and pickles do not contain it.
+    #[getter]
+    fn unit(&self) -> Option<&str> {
+        self.1.as_deref()
+    }
+
     /// Returns the state as bytes, which later versions of the same minor series (such as 0.1) can read.
     fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         let bytes = py.detach(|| self.0.to_bytes());
@@ -71,7 +87,7 @@ impl State {
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bytes: Content<'_>) -> PyResult<Self> {
         let state = stickslip::history::State::from_bytes(&bytes).or_raise(py)?;
-        Ok(Self(Arc::new(state)))
+        Ok(Self(Arc::new(state), None))
     }
 
     /// The two bodies.

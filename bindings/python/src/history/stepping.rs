@@ -71,7 +71,7 @@ impl History {
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<StepResult> {
         let py = slf.py();
         let keywords = keywords![
@@ -150,7 +150,7 @@ impl History {
         approach: Option<Real>,
         cycle: Option<Object<Cycle>>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<usize> {
         let py = slf.py();
         let tolerance = tolerance.ok_or_else(|| {
@@ -220,8 +220,8 @@ impl History {
         py: Python<'py>,
         histories: Listed<'py, Self>,
         loads: Listed<'py, LoadStep>,
-        return_exceptions: bool,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] return_exceptions: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Vec<(usize, Bound<'py, PyAny>)>> {
         let (histories, loads) = (histories.objects, loads.objects);
         let (expected, found) = (histories.len(), loads.len());

@@ -15,8 +15,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
 use crate::real::Real;
-use crate::samples::{Samples, Spread, grid_of};
-use crate::unit::one_of;
+use crate::samples::{Samples, Spread, grid_of, one_unit};
 use crate::work::unobserved_on;
 
 /// Returns a wear coefficient in the form required by the crate.
@@ -44,6 +43,12 @@ fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) ->
         None => Ok(Field::zeros(grid)),
         Some(depth) => depth.on(py, "depth", grid).map(Arc::unwrap_or_clone),
     }
+}
+
+/// Returns an error if the units of the cell sides or lengths of two arguments differ.
+fn check_units(fields: &[&Samples<'_>], depth: Option<&Samples<'_>>) -> PyResult<()> {
+    let all: Vec<_> = fields.iter().copied().chain(depth).collect();
+    one_unit(&all).map(|_| ())
 }
 
 /// Returns the grid of fields whose cell sizes are irrelevant: a known grid, or a grid of unit cells.
@@ -101,8 +106,7 @@ pub(crate) fn archard<'py>(
         grid.as_deref(),
         &[&pressure, &slip_distance, &coefficient],
     )?;
-    let earlier = depth.as_ref().map(Samples::unit).transpose()?;
-    one_of([slip_distance.unit()?, earlier.flatten()])?;
+    check_units(&[&slip_distance], depth.as_ref())?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let pressure = pressure.of_each_cell(py, "pressure", grid, PRESSURE_OF_CELLS)?;
@@ -138,6 +142,8 @@ pub(crate) fn archard<'py>(
 /// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
 /// Shape
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+/// ValueError
+///     If the units of the energies and of the earlier depth differ.
 #[pyfunction]
 #[pyo3(signature = (coefficient, energy, *, depth=None, grid=None))]
 pub(crate) fn energy<'py>(
@@ -147,6 +153,7 @@ pub(crate) fn energy<'py>(
     depth: Option<Samples<'py>>,
     grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
+    check_units(&[&energy], depth.as_ref())?;
     let grid = grid_of(grid.as_deref(), &[&energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
@@ -185,6 +192,8 @@ pub(crate) fn energy<'py>(
 /// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
 /// Shape
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
+/// ValueError
+///     If the units of the energies and of the earlier depth differ.
 #[pyfunction]
 #[pyo3(signature = (coefficient, threshold, accumulated, energy, *, depth=None, grid=None))]
 pub(crate) fn threshold_energy<'py>(
@@ -196,6 +205,7 @@ pub(crate) fn threshold_energy<'py>(
     depth: Option<Samples<'py>>,
     grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
+    check_units(&[&accumulated, &energy], depth.as_ref())?;
     let grid = grid_of(grid.as_deref(), &[&accumulated, &energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;

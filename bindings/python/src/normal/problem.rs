@@ -134,7 +134,7 @@ impl NormalProblem {
         &self,
         py: Python<'py>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let solver = || self.problem.clone().into_solver();
         solve_once(py, self.gap.0.grid().cells(), solver, progress, warn)

@@ -194,7 +194,7 @@ impl NormalSolver {
         approach: Option<Real>,
         gap: Option<Samples<'_>>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let load = load::normal(force, approach)?;
         let mut given = lock(&self.1, "solver")?;

@@ -143,7 +143,7 @@ impl Convolution {
         grid: Object<Grid>,
         pair: Pair,
         component: Choice<Component>,
-        periodic: bool,
+        #[pyo3(from_py_with = crate::real::flag)] periodic: bool,
     ) -> PyResult<PyClassInitializer<Self>> {
         let made = unobserved_on(py, grid.0, || {
             if periodic {

@@ -189,7 +189,7 @@ impl CoupledRollingProblem {
         &self,
         py: Python<'py>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, CoupledRollingSolution>> {
         let solver = || self.problem.clone().into_solver();
         solve_once(py, self.grid.cells(), solver, progress, warn)
@@ -276,7 +276,7 @@ impl CoupledRollingSolver {
         normal_force: Option<Real>,
         approach: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, CoupledRollingSolution>> {
         let keywords = Keywords::new(
             (creepage, force),

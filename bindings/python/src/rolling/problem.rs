@@ -190,7 +190,7 @@ impl RollingProblem {
         &self,
         py: Python<'py>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, RollingSolution>> {
         let solver = || self.problem.clone().into_solver();
         let of_contact = || self.recipe.warnings_of_normal(py, 1);

@@ -85,7 +85,7 @@ impl RollingSolver {
         spin: Option<Real>,
         moment: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, RollingSolution>> {
         let keywords = Keywords::new(
             (creepage, force),
@@ -220,7 +220,7 @@ impl RollingSolver {
         py: Python<'py>,
         points: conversion::CreepPoints,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<CreepForces> {
         let progress = Progress::of_points(progress.as_ref(), points.0.len())?;
         let mut last = lock(&self.1, "solver")?;

@@ -172,7 +172,7 @@ impl Planes {
         py: Python<'_>,
         bodies: HalfSpace,
         depths: conversion::Depths,
-        displacements: bool,
+        #[pyo3(from_py_with = crate::real::flag)] displacements: bool,
     ) -> PyResult<Self> {
         let planes = subsurface::Planes::new(&bodies.0, &depths.0).or_raise(py)?;
         let planes = if displacements {
@@ -216,7 +216,7 @@ impl Planes {
         body: Choice<Body>,
         tractions: Loaded<'_>,
         uniform_stress: Option<Stress>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Plane> {
         let plane = self.with(py, &tractions, uniform_stress, |planes, tractions| {
             let index = place(planes.depths(), index, "depth")?;
@@ -236,7 +236,7 @@ impl Planes {
         body: Choice<Body>,
         tractions: Loaded<'_>,
         uniform_stress: Option<Stress>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Vec<Plane>> {
         let found = self.with(py, &tractions, uniform_stress, |planes, tractions| {
             let depths = planes.depths().len();

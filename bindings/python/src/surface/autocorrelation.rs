@@ -61,7 +61,11 @@ record!(Autocorrelation: Sal, Str);
 impl Autocorrelation {
     #[new]
     #[pyo3(signature = (heights, *, periodic=false))]
-    fn new(py: Python<'_>, heights: Samples<'_>, periodic: bool) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        heights: Samples<'_>,
+        #[pyo3(from_py_with = crate::real::flag)] periodic: bool,
+    ) -> PyResult<Self> {
         let heights = heights.alone("heights")?;
         let of = if periodic {
             surface::Autocorrelation::of_periodic

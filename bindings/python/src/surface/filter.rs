@@ -91,7 +91,7 @@ pub(crate) fn gaussian_filter(
     heights: Samples<'_>,
     s: Option<Real>,
     l: Option<Real>,
-    periodic: bool,
+    #[pyo3(from_py_with = crate::real::flag)] periodic: bool,
     along: &str,
 ) -> PyResult<Filtered> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);

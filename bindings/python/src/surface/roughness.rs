@@ -70,7 +70,7 @@ impl SelfAffine {
         roll_off_wavelength: Option<Real>,
         cut_off_wavelength: Option<Real>,
         amplitudes: Option<Choice<surface::Amplitudes>>,
-        cropped: bool,
+        #[pyo3(from_py_with = crate::real::flag)] cropped: bool,
         skewness: Option<Real>,
         kurtosis: Option<Real>,
         seed: Seed,

@@ -18,6 +18,7 @@ use crate::settings::{Settings, chosen};
 use crate::solver::solve_sheared;
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution, TangentialSolver};
+use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// Bodies, pressure, friction and tangential load of one monotonic step from the unsheared state.
@@ -76,6 +77,8 @@ pub(crate) struct TangentialProblem(
     stickslip::Grid,
     Recipe,
     TangentialLoad,
+    /// Unit of the relative displacement.
+    Option<Unit>,
 );
 
 #[pymethods]
@@ -134,6 +137,9 @@ impl TangentialProblem {
         .with(py, "coupling", coupling)?
         .with(py, "relative_displacement", relative_displacement.clone())?
         .with(py, "settings", Some(Settings(settings)))?;
+        let unit = relative_displacement
+            .as_ref()
+            .and_then(|relative| relative.1.clone());
         let built = unobserved_on(py, grid, || {
             let builder =
                 stickslip::TangentialProblem::builder(&bodies.0, given.source(), friction, load);
@@ -149,7 +155,7 @@ impl TangentialProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe, TangentialLoad(load)))
+        Ok(Self(built, grid, recipe, TangentialLoad(load), unit))
     }
 
     /// Largest tangential force that friction can carry: the integral of the friction limit.
@@ -165,7 +171,7 @@ impl TangentialProblem {
         &self,
         py: Python<'py>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, TangentialSolution>> {
         let solver = || self.0.clone().into_solver();
         let of_contact = || self.2.warnings_of_normal(py, 1);
@@ -175,7 +181,7 @@ impl TangentialProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<TangentialSolver> {
         let solver = || self.0.clone().into_solver();
-        TangentialSolver::of(py, self.1, self.3, solver)
+        TangentialSolver::of(py, self.1, self.3, self.4.clone(), solver)
     }
 
     fn __getnewargs_ex__<'py>(

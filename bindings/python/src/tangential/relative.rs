@@ -11,12 +11,12 @@ use crate::conversion;
 use crate::error::OrRaise;
 use crate::field::same_grid;
 use crate::grid::{Grid, size};
-use crate::pickle::picklable;
+use crate::pickle::{Reduced, Stored, reduced};
 use crate::samples::{Samples, grid_of};
-use crate::unit::one_of;
+use crate::unit::{Unit, agree, one_of};
 
 /// A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
-/// expansion.
+/// expansion. Fields with a unit raise an error where the gap has another unit.
 ///
 /// Parameters
 /// ----------
@@ -32,8 +32,14 @@ use crate::unit::one_of;
 /// ValueError
 ///     If the fields have different units.
 #[pyclass(frozen, eq, module = "stickslip.tangential")]
-#[derive(Clone, PartialEq)]
-pub(crate) struct RelativeDisplacement(pub(crate) Relative);
+#[derive(Clone)]
+pub(crate) struct RelativeDisplacement(pub(crate) Relative, pub(crate) Option<Unit>);
+
+impl PartialEq for RelativeDisplacement {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0 && agree(self.1.as_ref(), other.1.as_ref())
+    }
+}
 
 by_value!(RelativeDisplacement);
 
@@ -47,7 +53,7 @@ impl RelativeDisplacement {
         along_y: Samples<'_>,
         grid: Option<Object<Grid>>,
     ) -> PyResult<Self> {
-        one_of([along_x.unit()?, along_y.unit()?])?;
+        let unit = one_of([along_x.unit()?, along_y.unit()?])?;
         let grid = grid_of(grid.as_deref(), &[&along_x, &along_y])?;
         let fields = [
             along_x.per_cell(py, "along_x", grid)?,
@@ -57,7 +63,7 @@ impl RelativeDisplacement {
             same_grid(grid, field.grid(), name).or_raise(py)?;
         }
         let relative = Relative::new(fields.map(Arc::unwrap_or_clone));
-        relative.or_raise_on(py, grid).map(Self)
+        Ok(Self(relative.or_raise_on(py, grid)?, unit))
     }
 
     /// Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
@@ -72,7 +78,13 @@ impl RelativeDisplacement {
     ) -> PyResult<Self> {
         Relative::bulk_strain(grid.0, strain.0)
             .or_raise(py)
-            .map(Self)
+            .map(|relative| Self(relative, None))
+    }
+
+    /// Unit of the fields; ``None`` if it is not known.
+    #[getter]
+    fn unit(&self) -> Option<&str> {
+        self.1.as_deref()
     }
 
     /// Components along x and y (lengths).
@@ -84,9 +96,21 @@ impl RelativeDisplacement {
         )
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(py, &(self.0.clone(), self.1.as_deref().map(String::from)))
+    }
+
     fn __repr__(&self) -> String {
         format!("RelativeDisplacement({})", size(self.0.fields()[0].grid()))
     }
 }
 
-picklable!(RelativeDisplacement: Relative);
+impl Stored for RelativeDisplacement {
+    type Content = (Relative, Option<String>);
+
+    const KIND: &'static str = "RelativeDisplacement";
+
+    fn of_content((relative, unit): Self::Content) -> Self {
+        Self(relative, unit.map(Unit::from))
+    }
+}

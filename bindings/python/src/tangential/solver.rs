@@ -13,6 +13,7 @@ use crate::solution_pool::lock;
 use crate::solver::{Reused, created_by, frictional, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
+use crate::unit::{Unit, check_relative};
 use crate::work::unobserved_on;
 
 /// Solves tangential contacts repeatedly, each time from the last solution; created by :meth:`TangentialProblem.solver`.
@@ -22,6 +23,8 @@ pub(crate) struct TangentialSolver(
     Reused<stickslip::TangentialSolver>,
     /// Load of the next solve, which the solver of the crate does not return.
     Mutex<TangentialLoad>,
+    /// Unit of the relative displacement.
+    Mutex<Option<Unit>>,
 );
 
 impl TangentialSolver {
@@ -29,10 +32,11 @@ impl TangentialSolver {
         py: Python<'_>,
         grid: stickslip::Grid,
         load: TangentialLoad,
+        unit: Option<Unit>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::TangentialSolver> + Send,
     ) -> PyResult<Self> {
         let solver = Reused::new(py, grid, solver)?;
-        Ok(Self(solver, Mutex::new(load)))
+        Ok(Self(solver, Mutex::new(load), Mutex::new(unit)))
     }
 }
 
@@ -83,7 +87,7 @@ impl TangentialSolver {
         spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
-        warn: bool,
+        #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, TangentialSolution>> {
         let keywords = keywords![
             force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
@@ -109,15 +113,27 @@ impl TangentialSolver {
     }
 
     /// Sets the relative displacement of the next solve.
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch
+    /// ValueError
+    ///     If its unit differs from that of the earlier relative displacements.
     fn set_relative_displacement(
         &self,
         py: Python<'_>,
         relative: RelativeDisplacement,
     ) -> PyResult<()> {
+        let mut last = lock(&self.2, "solver")?;
+        check_relative("the last one", last.as_ref(), relative.1.as_ref())?;
         let changed = self
             .0
             .with(|solver| solver.set_relative_displacement(&relative.0))?;
-        changed.or_raise(py)
+        changed.or_raise(py)?;
+        if last.is_none() {
+            last.clone_from(&relative.1);
+        }
+        Ok(())
     }
 
     /// Largest tangential force that friction can carry: the integral of the friction limit.

@@ -46,6 +46,13 @@ _FLAGS = {
     "flag_values": np.array(list(Zone), np.uint8),
     "flag_meanings": " ".join(zone.name.lower() for zone in Zone),
 }
+# Kinds of entries of NumPy that are not real numbers, in words.
+_NOT_REAL = {
+    "b": "truth values: convert a mask by .astype(float)", "c": "complex: give the real part, .real", "M": "times",
+    "S": "text", "T": "text", "U": "text", "m": "times",
+}  # fmt: skip
+# Fields that are lengths.
+_LENGTHS = ("gap", "unloaded_gap", "slip_x", "slip_y", "displacement_x", "displacement_y", "accumulated_slip")
 _SURFACES = (RoughSurface, Levelled, Filled, Filtered)
 _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz")}
 
@@ -58,7 +65,8 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     the dataset. The docstring of each field is its attribute ``long_name``: ``gap`` is the gap under load, and ``unloaded_gap``
     the gap before loading. The attributes ``flag_values`` and ``flag_meanings`` of ``zones`` contain the names of its numbers,
     by the CF conventions: ``dataset.zones == stickslip.Zone.STICK`` is the mask of the stick zone. The unit of a Field or a
-    surface is kept; for other objects set ``dataset.x.attrs["units"]``.
+    surface is kept, and the unit of a history or a state is the unit of its lengths. For other objects set
+    ``dataset.x.attrs["units"]``.
 
     Parameters
     ----------
@@ -108,7 +116,9 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     numbers = _numbers(solution)
     if isinstance(solution, (State, History)):
         numbers["normal_force"] = solution.normal.force
-    return _dataset(solution.grid, dict(_fields(solution)), numbers)
+    dataset = _dataset(solution.grid, dict(_fields(solution)), numbers)
+    unit = getattr(solution, "unit", None)
+    return dataset if unit is None else _with_units(dataset, unit, ("x", "y", *_LENGTHS))
 
 
 def fields_of(solution: Any) -> tuple[dict[str, Any], Grid]:
@@ -176,7 +186,8 @@ def from_xarray(array: xarray.DataArray) -> Field:
     Raises
     ------
     ArgumentType
-        If the argument is not a DataArray, for example a Dataset: give one of its variables, ``dataset["heights"]``.
+        If the argument is not a DataArray, for example a Dataset: give one of its variables, ``dataset["heights"]``. If heights or
+        coordinates are not real numbers, such as text, times or truth values.
     ValueError
         If the array has different dimensions, if its coordinates are missing or not evenly spaced and increasing, if a unit is not
         a unit of length, or if the coordinates have units and the heights have none.
@@ -205,17 +216,32 @@ def from_xarray(array: xarray.DataArray) -> Field:
         _factor(own, own)  # an unknown unit is rejected
     sides = []
     for axis in ("x", "y"):
-        side = _side(np.asarray(array[axis], dtype=float), axis)
-        steps = np.diff(np.asarray(array[axis], dtype=float))
+        centres = _real(array[axis], f"the coordinates along {axis}")
+        side = _side(centres, axis)
+        steps = np.diff(centres)
         if not side > 0.0 or np.abs(steps - side).max() > 1e-6 * side:
             raise ValueError(f"the coordinates along {axis} must be evenly spaced and increasing")
         unit = array[axis].attrs.get("units")
         sides.append(side if unit is None or own is None else side * _factor(unit, own))
-    samples = np.array(array.transpose("y", "x"), dtype=float, order="C")
+    samples = np.array(_real(array.transpose("y", "x"), "the heights"), order="C")
     for mark in _marks(array):
         samples[samples == mark] = np.nan
     grid = Grid(samples.shape[1], samples.shape[0], sides[0], sides[1])
     return Field(grid, samples, own)
+
+
+def _real(values: Any, quantity: str) -> NDArray[Any]:
+    """Returns an array of real numbers, or raises an error for entries that NumPy would convert by a guess."""
+    entries = np.asarray(values)
+    found = _NOT_REAL.get(entries.dtype.kind)
+    if entries.dtype.kind == "O":
+        kinds = {np.asarray(entry).dtype.kind for entry in entries.flat}
+        found = next((_NOT_REAL[kind] for kind in sorted(kinds) if kind in _NOT_REAL), None)
+    if found is not None:
+        error = ArgumentType(f"{quantity} must be real numbers, got {found}")
+        error.argument = "array"
+        raise error
+    return entries.astype(float)
 
 
 def _marks(array: Any) -> Iterator[float]:
@@ -374,11 +400,12 @@ def _dataset(grid: Any, fields: dict[str, tuple[Any, str]], numbers: dict[str, A
     return xarray.Dataset(variables, {"y": grid.y, "x": grid.x}, numbers)
 
 
-def _with_units(dataset: xarray.Dataset, unit: str | None) -> xarray.Dataset:
-    """Returns the dataset of a surface with the unit of its lengths."""
+def _with_units(dataset: xarray.Dataset, unit: str | None, lengths: Sequence[str] | None = None) -> xarray.Dataset:
+    """Returns a dataset with the unit of its lengths, by default of all variables, as of a surface."""
     if unit is not None:
-        for variable in dataset.variables.values():
-            variable.attrs["units"] = unit
+        for name, variable in dataset.variables.items():
+            if lengths is None or name in lengths:
+                variable.attrs["units"] = unit
     return dataset
 
 
