@@ -527,7 +527,7 @@ def test_edges_have_sub_cell_accuracy():
 def test_depths_and_fractions_out_of_range_are_rejected():
     steel = ss.Material(210e3, 0.3)
     line = ss.analytical.HertzLine((steel, steel), radius=10.0, load=100.0)
-    shear = ss.analytical.CattaneoMindlinLine(line, 0.3, 10.0)
+    shear = ss.analytical.CattaneoMindlinLine(line, friction=0.3, force=10.0)
     for form in (line, shear):
         with pytest.raises(ss.errors.ArgumentRange, match=r"depth must be zero or more, .*got -0\.1"):
             form.stress(0.0, [0.1, -0.1])

@@ -199,3 +199,10 @@ def test_second_run_states_the_step_from_which_it_counts():
     assert resumed.cycles == 80 and resumed.snapshot.first_step == second.snapshot.first_step
     # The gap contains the wear of both runs.
     assert np.allclose(worn.gap_as_set, ss.surface.sphere(GRID, 3.5e-3) + first.depth + resumed.depth, rtol=0, atol=1e-18)
+
+
+def test_energies_in_the_wrong_order_are_rejected(scene):
+    step, total = ss.Field(scene.grid, 1.0), ss.Field(scene.grid, 3.0)
+    assert np.all(ss.wear.threshold_energy(1e-13, 0.0, total, step) > 0.0)
+    with pytest.raises(ss.errors.BelowMinimum, match="sum of the accumulated energy must be at least"):
+        ss.wear.threshold_energy(1e-13, 0.0, step, total)
