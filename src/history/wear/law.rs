@@ -19,10 +19,10 @@ use crate::parallel::reduce;
 /// add the wear of this step again.
 ///
 /// # Errors
-/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.
-/// - [`Error::Sample`](crate::Error::Sample) at a coefficient, pressure or length that is negative or not finite.
-/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
-/// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
+/// - [`Error::NegativeOrNotFinite`] if the uniform coefficient is negative or not finite.
+/// - [`Error::Sample`] at a coefficient, pressure or length that is negative or not finite.
+/// - [`Error::GridMismatch`] if the grids differ.
+/// - [`Error::NotFinite`] if the greatest depth overflows.
 ///
 /// The depth is unchanged after an error.
 pub fn archard<'a>(
@@ -55,10 +55,10 @@ pub fn archard<'a>(
 /// add the wear of this step again.
 ///
 /// # Errors
-/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.
-/// - [`Error::Sample`](crate::Error::Sample) at a coefficient or energy that is negative or not finite.
-/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
-/// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
+/// - [`Error::NegativeOrNotFinite`] if the uniform coefficient is negative or not finite.
+/// - [`Error::Sample`] at a coefficient or energy that is negative or not finite.
+/// - [`Error::GridMismatch`] if the grids differ.
+/// - [`Error::NotFinite`] if the greatest depth overflows.
 ///
 /// The depth is unchanged after an error.
 pub fn energy<'a>(
@@ -105,13 +105,13 @@ pub fn energy<'a>(
 /// ```
 ///
 /// # Errors
-/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient or the threshold is negative or
+/// - [`Error::NegativeOrNotFinite`] if the uniform coefficient or the threshold is negative or
 ///   not finite.
-/// - [`Error::Sample`](crate::Error::Sample) at a coefficient or energy that is negative or not finite.
-/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
-/// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the sum of the accumulated energy is less than the sum of the energy, as
+/// - [`Error::Sample`] at a coefficient or energy that is negative or not finite.
+/// - [`Error::GridMismatch`] if the grids differ.
+/// - [`Error::BelowMinimum`] if the sum of the accumulated energy is less than the sum of the energy, as
 ///   for arguments in the wrong order.
-/// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
+/// - [`Error::NotFinite`] if the greatest depth overflows.
 ///
 /// The depth is unchanged after an error.
 pub fn threshold_energy<'a>(
