@@ -102,7 +102,7 @@ pub(crate) struct PressureSolver {
     is_start: bool,
     /// Approach that belongs to the pressure.
     approach: f64,
-    /// Largest sum of the pressures and largest approach that [`Self::discard_if_window_too_small`] has recorded for
+    /// Largest sum of the pressures and largest approach that [`Self::discard_costly_start`] has recorded for
     /// these windows.
     held: LoadPoint,
     report: Report,
@@ -180,19 +180,27 @@ impl PressureSolver {
         self.held = [f64::NEG_INFINITY; 2];
     }
 
-    /// Discards the last solution if the contact will grow beyond its window. The solve then starts on coarser cells, which
-    /// takes a quarter of the operator products of a start from the last solution.
+    /// Discards the last solution if a start on coarser cells is cheaper: if a large contact is unloaded far, or if the contact
+    /// will grow beyond its window. In the second case, such a start takes a quarter of the products.
     ///
     /// The widest closed gap is assumed to grow in proportion to the depth of penetration. The window is too small if a gap
     /// outside the window would close. Loads up to the largest load that the window has contained are accepted without this
     /// test.
-    pub(super) fn discard_if_window_too_small(&mut self, of: &NormalInput<'_>, pressure: &[f64]) {
+    pub(super) fn discard_costly_start(&mut self, of: &NormalInput<'_>, pressure: &[f64]) {
         let (bodies, layout) = (of.bodies, of.bodies.grid_layout());
-        let window = self.window().filter(|_| self.is_start);
-        let Some(window) = window.filter(|window| *window != Window::whole(bodies.grid())) else {
+        let Some(window) = self.window().filter(|_| self.is_start) else {
             return;
         };
         let sum = reduce::total(&layout, pressure);
+        let reached = [sum, self.approach];
+        let is_large = window.cells() >= LARGE && of.settings.method != Method::PolonskyKeer;
+        if is_large && of.depth_growth(reached) < FAR_BELOW {
+            self.reset();
+            return;
+        }
+        if window == Window::whole(bodies.grid()) {
+            return;
+        }
         self.held = [self.held[0].max(sum), self.held[1].max(self.approach)];
         let scene = of.scene();
         let (LoadIncrement::Total(beyond) | LoadIncrement::Motion(beyond)) =
@@ -204,8 +212,7 @@ impl PressureSolver {
             return;
         }
         let least = bodies.least(of.gap);
-        let depth = self.approach - least;
-        let growth = of.depth_growth([sum, self.approach]);
+        let (depth, growth) = (self.approach - least, of.depth_growth(reached));
         if depth > 0.0 && growth > 1.0 {
             let (gap, first) = (of.gap.as_slice(), bodies.first_cell());
             let gap = |i: usize| gap[i] - least;
@@ -285,15 +292,7 @@ impl PressureSolver {
             of.hardness
                 .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
         };
-        let is_near = |window: Window| {
-            window.cells() < LARGE
-                || of.settings.method == Method::PolonskyKeer
-                || of.depth_growth(from) > FAR_BELOW
-        };
-        let has_start = std::mem::take(&mut self.is_start)
-            && self
-                .window()
-                .is_some_and(|window| holds(window) && is_near(window));
+        let has_start = std::mem::take(&mut self.is_start) && self.window().is_some_and(holds);
         // If no cell is at its limit, the solve starts without limits. A limit that no cell reaches then does not
         // change any iterate.
         if !has_start || of.yielded(pressure) == 0 {

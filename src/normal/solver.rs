@@ -171,7 +171,7 @@ impl Model<NormalSolution> for NormalProblem {
     ) -> Result<()> {
         let (of, NormalBuffers { press, pressure }) =
             (solver.problem.pressing(), &mut solver.engine);
-        press.discard_if_window_too_small(&of, pressure);
+        press.discard_costly_start(&of, pressure);
         let outcome = press.solve(&of, pressure, observer);
         if has_iterate(&outcome) {
             parallel::copy(pressure, solution.pressure_mut());

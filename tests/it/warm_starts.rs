@@ -150,13 +150,6 @@ fn far_unloading_of_large_contact_starts_like_a_first_solve() {
             }
         }
     }
-    // A history starts its steps in the same way.
-    let mut history = history(&bodies, &ball);
-    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
-    history.step(&press(force)).unwrap();
-    history.step(&press(0.3 * force)).unwrap();
-    let (_, cold) = solver(NormalLoad::Force(0.3 * force));
-    assert_eq!(history.pressure(), cold.pressure());
 }
 
 #[test]
