@@ -320,8 +320,8 @@ pub(crate) fn missing_value(object: &Bound<'_, PyAny>) -> Option<&'static str> {
     }
 }
 
-/// Describes the first entry of a sequence that is not a number, or not a whole number, for the message of a wrong form. Returns
-/// `None` if all entries are numbers or sequences.
+/// Describes the first entry of a sequence with a wrong type, for the message of a wrong form. Entries must be numbers, or whole
+/// numbers if `is_whole` is true. Returns `None` if all entries are numbers or sequences.
 fn wrong_entry(object: &Bound<'_, PyAny>, is_whole: bool) -> Option<String> {
     let entry = object
         .try_iter()
