@@ -191,6 +191,10 @@ pub enum Warning {
     ///
     /// A step of a history has the warning if it solves for the pressure after [`set_gap`](crate::History::set_gap). Steps that
     /// roll do not have it, because the texture of their gap moves.
+    ///
+    /// The next solution of a solver has the warning after [`set_gap`](crate::NormalSolver::set_gap) if the change resembles wear:
+    /// it has one sign, and a tenth of the cells outside the last contact are unchanged. Solvers accept other changes without a
+    /// warning, because their gap can change to another surface. A new problem has no last contact, and no such warning.
     LargeGapChange {
         /// The largest change of the gap in a contact cell divided by the largest displacement, in tenths.
         tenths: usize,

@@ -11,7 +11,7 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::normal::{Hardness, NormalLoad, NormalSolution};
+use crate::normal::{Hardness, LastContact, NormalLoad, NormalSolution};
 use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
@@ -45,6 +45,8 @@ pub(crate) struct CoupledIncrement {
     /// Shift of the state from which the step starts.
     pub(super) last_shift: [f64; 2],
     pub(super) approach: f64,
+    /// Largest [change of the gap](LastContact::wear) since the last solve.
+    pub(super) gap_change: f64,
     report: CoupledReport,
 }
 
@@ -105,6 +107,7 @@ impl CoupledIncrement {
             motion: RigidMotion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
+            gap_change: 0.0,
             report: CoupledReport::unsolved(),
             bodies: bodies.clone(),
         })
@@ -160,6 +163,16 @@ impl CoupledIncrement {
         let traction: [&[f64]; 2] = [&self.tractions[1], &self.tractions[2]];
         let found = [traction, [ux, uy]];
         StepSolution::new(&self.pressed, &self.offsets, found, self.motion)
+    }
+
+    /// Returns a [change](LastContact::wear) of the gap relative to the displacement of the last solve.
+    pub(super) fn wear_between(&self, gaps: [&Field; 2]) -> f64 {
+        let last = LastContact {
+            bodies: &self.bodies,
+            pressure: &self.tractions[0],
+            approach: self.approach,
+        };
+        last.wear(gaps)
     }
 
     /// Writes the normal solution of the last step for this gap before loading and this hardness.

@@ -56,10 +56,12 @@ impl CoupledSolution {
         })
     }
 
-    pub(super) fn fill(&mut self, of: &CoupledProblem, increment: &CoupledIncrement) {
+    pub(super) fn fill(&mut self, of: &CoupledProblem, increment: &mut CoupledIncrement) {
         let (bodies, gap) = (&of.bodies, &of.gap);
         increment.write(gap, of.hardness.as_ref(), &mut self.normal);
         self.normal.measure_scale(bodies, gap);
+        self.normal
+            .set_gap_change(std::mem::take(&mut increment.gap_change));
         let input = (None, &of.friction, of.relative.as_ref());
         self.tangential
             .fill(bodies, input, &increment.answer(), increment.report());

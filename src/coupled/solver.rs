@@ -71,6 +71,9 @@ impl CoupledSolver {
 
     /// Changes the gap before loading for the next solve.
     ///
+    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear deeper than the displacement
+    /// of the last contact.
+    ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
     /// - [`Error::Sample`] if the gap is not finite.
@@ -82,7 +85,10 @@ impl CoupledSolver {
         let bodies = &self.problem.bodies;
         bodies.collective_result(gap.check("gap", bodies.grid()))?;
         self.problem.normal.check(bodies, gap, None)?;
-        field::replace(&mut self.problem.gap, gap)
+        let change = self.engine.wear_between([&self.problem.gap, gap]);
+        field::replace(&mut self.problem.gap, gap)?;
+        self.engine.gap_change = self.engine.gap_change.max(change);
+        Ok(())
     }
 
     /// Returns the friction of the next solve, with its cap: the last friction that was given or [set](Self::set_friction).

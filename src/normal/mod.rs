@@ -33,6 +33,7 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]
 
 mod area;
+mod gap_change;
 mod hardness;
 mod load;
 mod over_ranks;
@@ -45,6 +46,7 @@ mod solution;
 mod solver;
 mod window_solver;
 
+pub(crate) use gap_change::LastContact;
 pub use hardness::Hardness;
 pub use load::{NormalControl, NormalLoad};
 pub(crate) use pressure_solver::{NormalInput, PressureSolver};

@@ -124,6 +124,11 @@ impl PressureSolver {
         self.windows.window()
     }
 
+    /// Returns the approach of the last solve.
+    pub(super) fn approach(&self) -> f64 {
+        self.approach
+    }
+
     /// Returns the report of the last solve.
     pub(crate) fn report(&self) -> &Report {
         &self.report

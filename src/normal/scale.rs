@@ -26,6 +26,10 @@ pub(crate) struct Scale {
     /// neighbouring columns or rows.
     #[cfg_attr(feature = "serde", serde(default))]
     seam_times: [usize; 2],
+    /// Change of the gap before this solve like wear, divided by the largest displacement of the contact before, in tenths.
+    /// `None` for a small change.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub(super) gap_change_tenths: Option<usize>,
 }
 
 /// Largest value of each quantity for which no warning is given.
@@ -104,6 +108,7 @@ impl Scale {
             pressure_per_mille: whole(1e3 * most / bodies.pair().contact_modulus()),
             modulus_parts: whole(bodies.pair().contact_modulus() / most),
             seam_times: mean_jumps(bodies, gap, pressure).map(whole),
+            gap_change_tenths: None,
         }
     }
 
@@ -116,6 +121,7 @@ impl Scale {
             pressure_per_mille: self.pressure_per_mille.max(other.pressure_per_mille),
             modulus_parts: self.modulus_parts.max(other.modulus_parts),
             seam_times: [0, 1].map(|axis| self.seam_times[axis].max(other.seam_times[axis])),
+            gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
         }
     }
 
@@ -132,6 +138,7 @@ impl Scale {
             slope_per_mille,
             pressure_per_mille,
             seam_times,
+            gap_change_tenths,
             ..
         } = self;
         let approach = Warning::ApproachBeyondGrid {
@@ -155,6 +162,7 @@ impl Scale {
             (slope_per_mille > LARGEST_SLOPE).then_some(slope),
             Warning::pressure_beyond(pressure_per_mille),
             (along_x || along_y).then_some(seam),
+            gap_change_tenths.map(|tenths| Warning::LargeGapChange { tenths }),
         ]
         .into_iter()
         .flatten()

@@ -152,6 +152,11 @@ impl NormalSolution {
         self.scale = Scale::of(bodies, initial.as_slice(), pressure, self.approach);
     }
 
+    /// Records the [change](crate::normal::LastContact::wear) of the gap since the last solve.
+    pub(crate) fn set_gap_change(&mut self, ratio: f64) {
+        self.scale.gap_change_tenths = Warning::gap_change_beyond(ratio);
+    }
+
     pub(crate) fn scale(&self) -> Scale {
         self.scale
     }

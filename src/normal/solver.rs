@@ -11,7 +11,7 @@ use crate::grid::window::Window;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
-use crate::normal::{Hardness, NormalLoad, NormalProblem, NormalSolution};
+use crate::normal::{Hardness, LastContact, NormalLoad, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
@@ -44,6 +44,8 @@ pub(crate) struct NormalBuffers {
     press: PressureSolver,
     /// Last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
+    /// Largest [change of the gap](LastContact::wear) since the last solve.
+    gap_change: f64,
 }
 
 impl NormalSolver {
@@ -90,6 +92,9 @@ impl NormalSolver {
     /// Changes the gap of the next solve, for instance after wear. The gap is copied without allocation unless the
     /// previous gap is shared with other owners.
     ///
+    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear deeper than the displacement
+    /// of the last contact.
+    ///
     /// # Errors
     /// Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the gap. The
     /// gap is unchanged after an error.
@@ -97,7 +102,24 @@ impl NormalSolver {
         let bodies = &self.problem.bodies;
         bodies.collective_result(check_gap(bodies, gap))?;
         self.problem.load.check(bodies, gap, None)?;
-        field::replace(&mut self.problem.gap, gap)
+        let change = self.wear_between([&self.problem.gap, gap]);
+        field::replace(&mut self.problem.gap, gap)?;
+        self.engine.gap_change = self.engine.gap_change.max(change);
+        Ok(())
+    }
+
+    /// Returns a [change](LastContact::wear) of the gap relative to the displacement of the last solve, or zero before the
+    /// first solve.
+    pub(crate) fn wear_between(&self, gaps: [&Field; 2]) -> f64 {
+        let NormalBuffers {
+            press, pressure, ..
+        } = &self.engine;
+        let last = LastContact {
+            bodies: &self.problem.bodies,
+            pressure,
+            approach: press.approach(),
+        };
+        press.window().map_or(0.0, |_| last.wear(gaps))
     }
 
     /// Changes the largest pressure that the cells can carry in the next solve.
@@ -151,6 +173,7 @@ impl Model<NormalSolution> for NormalProblem {
         Ok(NormalBuffers {
             press: PressureSolver::new(),
             pressure: bodies.collective_result(fallible::zeros(grid.cells()))?,
+            gap_change: 0.0,
         })
     }
 
@@ -169,14 +192,19 @@ impl Model<NormalSolution> for NormalProblem {
         solution: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let (of, NormalBuffers { press, pressure }) =
-            (solver.problem.pressing(), &mut solver.engine);
+        let of = solver.problem.pressing();
+        let NormalBuffers {
+            press,
+            pressure,
+            gap_change,
+        } = &mut solver.engine;
         press.discard_costly_start(&of, pressure);
         let outcome = press.solve(&of, pressure, observer);
         if has_iterate(&outcome) {
             parallel::copy(pressure, solution.pressure_mut());
             press.finish(&of, solution);
             solution.measure_scale(of.bodies, of.gap);
+            solution.set_gap_change(std::mem::take(gap_change));
         }
         outcome
     }

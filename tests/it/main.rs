@@ -151,3 +151,4 @@ mod warm_starts;
 mod warnings;
 mod wear_laws;
 mod window_shrinking;
+mod worn_gaps;

@@ -1,9 +1,9 @@
 //! Counts and sums of a state over all ranks, stored with the slab of each rank.
 
 use crate::cgm::reduce;
-use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
+use crate::normal::LastContact;
 use crate::parallel::layout::Layout;
 use crate::tangential::{Friction, Zone};
 
@@ -63,21 +63,13 @@ impl State {
         sum * self.grid().cell_area()
     }
 
-    /// Returns the largest change of the gap of a contact cell since the last pressure was computed, divided by the largest
-    /// normal displacement due to this pressure. The ratio is zero without contact.
+    /// Returns the [largest change of the gap](LastContact::gap_change) since the last pressure was computed.
     pub(in crate::history) fn gap_change(&self, bodies: &HalfSpace) -> f64 {
-        let (layout, approach) = (bodies.grid_layout(), self.normal.approach());
-        let pressure = self.pressure().as_slice();
-        let [before, now] = [&self.pressed_gap, &self.gap].map(Field::as_slice);
-        let largest = |of: &(dyn Fn(usize) -> f64 + Sync)| {
-            reduce::max(&layout, |i| if pressure[i] > 0.0 { of(i) } else { 0.0 })
+        let last = LastContact {
+            bodies,
+            pressure: self.pressure().as_slice(),
+            approach: self.normal.approach(),
         };
-        let displacement = largest(&|i| (approach - before[i]).max(0.0));
-        let change = largest(&|i| (now[i] - before[i]).abs());
-        if displacement > 0.0 {
-            change / displacement
-        } else {
-            0.0
-        }
+        last.gap_change([&self.pressed_gap, &self.gap])
     }
 }

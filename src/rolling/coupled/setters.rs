@@ -98,6 +98,9 @@ impl CoupledRollingSolver {
 
     /// Sets the gap before loading for the next solve.
     ///
+    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear deeper than the displacement
+    /// of the last contact.
+    ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) or
     ///   [`Error::Memory`](crate::Error::Memory).
@@ -108,7 +111,9 @@ impl CoupledRollingSolver {
         let bodies = &self.problem.bodies;
         gap.check("gap", bodies.grid())?;
         self.problem.normal.check(bodies, gap, None)?;
+        let change = self.engine.normal.wear_between([&self.problem.gap, gap]);
         field::replace(&mut self.problem.gap, gap)?;
+        self.engine.gap_change = self.engine.gap_change.max(change);
         self.engine.changed = Some("the gap");
         Ok(())
     }

@@ -77,6 +77,8 @@ pub(crate) struct CoupledRollingEngine {
     lift: Vec<f64>,
     spin: f64,
     is_warm: bool,
+    /// Largest [change of the gap](crate::normal::LastContact::wear) since the last solve.
+    pub(super) gap_change: f64,
     /// Name of the input that has changed since the last solution, for error messages.
     pub(super) changed: Option<&'static str>,
     /// Normal half of the last solution of coupled bodies.
@@ -130,6 +132,7 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
             lift: fallible::zeros(cells)?,
             spin: 0.0,
             is_warm: false,
+            gap_change: 0.0,
             changed: None,
             last: None,
             report: CoupledRollingReport::unsolved(),
@@ -471,6 +474,10 @@ impl CoupledRollingSolver {
             normal.set_coupled(true);
             normal.parts_mut().3.clone_from(&self.engine.report.work);
             solution.rolling.set_report(&self.engine.report.work);
+        }
+        if has_iterate(outcome) {
+            let change = std::mem::take(&mut self.engine.gap_change);
+            solution.normal.set_gap_change(change);
         }
         // The next solve starts from these tractions.
         for (kept, found) in self
