@@ -266,16 +266,38 @@ fn integrals(means: &[f64], positions: &[f64]) -> Result<impl Iterator<Item = f6
     Ok((1..totals.len()).map(move |i| totals[i] - totals[i - 1]))
 }
 
-/// Returns the pressure that the part of the gap inside the cells would cause, relative to the force.
-///
-/// The differences are deviations of the gap inside the cells from the cubic interpolation between the centres. The pressure
-/// `difference / compliance` flattens a difference.
-pub(super) fn unresolved_pressure(pressure: &Field, differences: &[f64], compliance: f64) -> f64 {
-    let pressures = pressure.as_slice();
-    let [unresolved, whole] = reduce::sum(&pressure.grid().layout(), |i| {
-        let is_loaded = pressures[i] > 0.0;
-        let difference = if is_loaded { differences[i].abs() } else { 0.0 };
-        [difference, pressures[i]]
-    });
-    unresolved / compliance / whole
+/// Effect of the part of the gap that the cells do not resolve.
+#[derive(Clone, Copy)]
+pub(super) struct Unresolved {
+    /// Pressure that this part would cause, relative to the force.
+    pub(super) pressure: f64,
+    /// Area of the contact cells that this part could separate, relative to the contact area.
+    pub(super) area: f64,
+}
+
+/// Ratio of the pressure of a cell to its unresolved pressure below which the cell can be separated. In a narrow channel between
+/// two contacts, the pressure of the cells decreases with their size until the channel opens. The area of these cells was then
+/// 0.5 to 1.4 times the error of the contact area.
+const SEPARABLE: f64 = 3.0;
+
+impl Unresolved {
+    /// Measures the effect in the contact cells.
+    ///
+    /// The differences are deviations of the gap inside the cells from the cubic interpolation between the centres. The pressure
+    /// `difference / compliance` flattens a difference.
+    pub(super) fn new(pressure: &Field, differences: &[f64], compliance: f64) -> Self {
+        let pressures = pressure.as_slice();
+        let [unresolved, whole, separable, contact] = reduce::sum(&pressure.grid().layout(), |i| {
+            let (own, difference) = (pressures[i], differences[i].abs());
+            if own <= 0.0 {
+                return [0.0; 4];
+            }
+            let is_separable = own * compliance < SEPARABLE * difference;
+            [difference, own, f64::from(is_separable), 1.0]
+        });
+        Self {
+            pressure: unresolved / compliance / whole,
+            area: separable / contact,
+        }
+    }
 }

@@ -66,6 +66,9 @@
 //! and differ from cell to cell. The compliance $`c`$ is the displacement of a cell under a unit pressure on it. The sums are
 //! over the contact. Waves of the gap that are shorter than the cells therefore increase the estimate.
 //!
+//! The error of the area is also at least the area of the contact cells that the unresolved gap could separate. The pressure of such
+//! a cell is below $`3\,|h - \tilde h| / c`$. Two contacts can thus be separated by a channel that the cells do not resolve.
+//!
 //! The estimates are not bounds. In a test with 1000 random contacts, one error exceeded its target, by a factor of 1.29. The page
 //! on [accuracy](crate::guide::accuracy#contacts-with-a-required-accuracy) lists times, cells and errors.
 //!

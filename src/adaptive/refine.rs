@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::gap::evaluate;
-use super::measures::{FrictionMeasures, Measures, Quantity, unresolved_pressure};
+use super::measures::{FrictionMeasures, Measures, Quantity, Unresolved};
 use super::problem::{AdaptiveProblem, Shear, ShearLoad};
 use super::region::Extent;
 use super::search::{ContactBox, gap_inside_cells, locate, overlap_outside};
@@ -272,8 +272,10 @@ impl OneGrid {
                 // A number can agree on two grids by chance, whereas a field cannot.
                 error = (FEW_GRIDS * error).max(part * from_difference(field)?);
             }
-            if matches!(quantity, Quantity::Pressure) {
-                error = error.max(unresolved);
+            match quantity {
+                Quantity::Pressure => error = error.max(unresolved.pressure),
+                Quantity::Area => error = error.max(unresolved.area),
+                _ => {}
             }
             let mut targets = problem.targets.iter();
             Ok(Estimate {
@@ -290,12 +292,12 @@ impl OneGrid {
         known.map(estimate).collect()
     }
 
-    /// Returns the pressure due to the part of the gap inside the cells, relative to the force.
-    fn unresolved(&self, problem: &AdaptiveProblem<'_>) -> Result<f64> {
+    /// Returns the effect of the part of the gap inside the cells.
+    fn unresolved(&self, problem: &AdaptiveProblem<'_>) -> Result<Unresolved> {
         let differences = gap_inside_cells(problem, self.measures.extent, &self.gap)?;
         let pressure = self.contact.normal().pressure();
         let compliance = self.bodies.cell_compliance();
-        Ok(unresolved_pressure(pressure, &differences, compliance))
+        Ok(Unresolved::new(pressure, &differences, compliance))
     }
 
     /// Returns the ratio of error to target that the second differences of the first solution predict.

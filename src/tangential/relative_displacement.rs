@@ -4,7 +4,7 @@ use crate::error::{Error, Result, all_finite};
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::try_clone;
+use crate::memory::fallible::{try_clone, try_each};
 use crate::parallel::reduce;
 use crate::tangential::{Axis, TangentialModel, centre};
 use crate::warning::Warning;
@@ -122,12 +122,15 @@ impl RelativeDisplacement {
     ///
     /// # Errors
     /// - [`Error::Sample`] if a component is not finite, or if xy and yx differ.
+    /// - [`Error::Memory`] if memory runs out.
     #[doc(alias = "bulk stress")]
     pub fn bulk_strain(grid: Grid, strain: [[f64; 2]; 2]) -> Result<Self> {
         check_strain(strain)?;
-        let along =
-            |[x_part, y_part]: [f64; 2]| Field::from_fn(grid, |x, y| x_part * x + y_part * y);
-        let fields = strain.map(along);
+        let along = |axis: usize| {
+            let [x_part, y_part] = strain[axis];
+            Field::try_from_fn(grid, |x, y| x_part * x + y_part * y)
+        };
+        let fields = try_each(along)?;
         Ok(Self { fields, strain })
     }
 

@@ -384,6 +384,22 @@ fn random_contacts_reach_their_targets() {
     }
 }
 
+/// The contacts of two balls are separated by a channel that is narrower than the cells of the first grids. The areas of these
+/// grids agree, because all of them contain the channel. The constant is the area for a fiftieth of the target.
+#[test]
+fn contact_with_narrow_channel_reaches_target_of_area() {
+    const AREA: f64 = 2.9206;
+    let scene = TargetScene::random(842_721_682).unwrap();
+    assert_eq!(scene.quantity, Quantity::Area);
+    let found = scene.solve(1.0).unwrap();
+    let error = (found.area() / AREA - 1.0).abs();
+    let estimate = found.estimate(Quantity::Area).unwrap();
+    assert!(
+        error < 0.8 * estimate && estimate <= scene.target,
+        "{error} {estimate}"
+    );
+}
+
 /// The traction of a first step without a tangential load is zero. Its estimate is zero too, and the refinement ends.
 #[test]
 fn first_step_without_tangential_load_reaches_default_targets() {

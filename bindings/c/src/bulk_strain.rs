@@ -1,5 +1,6 @@
 //! Relative displacement due to a uniform strain of the bodies.
 
+use stickslip_rs::tangential::RelativeDisplacement;
 use stickslip_rs::{Boundary, Error};
 
 use crate::call::call_on;
@@ -48,10 +49,9 @@ pub unsafe extern "C" fn stickslip_bulk_strain(
                 return Err(jump(name, value));
             }
         }
-        for cell in 0..grid.cells() {
-            let [x, y] = grid.position(cell % grid.nx(), cell / grid.nx());
-            along_x[cell] = xx * x + xy * y;
-            along_y[cell] = xy * x + yy * y;
+        let pattern = RelativeDisplacement::bulk_strain(grid, [[xx, xy], [xy, yy]])?;
+        for (out, field) in [along_x, along_y].into_iter().zip(pattern.fields()) {
+            out.copy_from_slice(field.as_slice());
         }
         Ok(())
     })

@@ -37,6 +37,18 @@ def test_relative_displacement_in_another_unit_than_the_gap_is_rejected(scene):
         ss.History(scene.bodies, gap(scene, None), 0.5, relative_displacement=other)
 
 
+def test_history_keeps_the_unit_of_a_relative_displacement_if_its_gap_has_none(scene):
+    in_um = pattern(scene, "um")
+    constructed = ss.History(scene.bodies, gap(scene, None), 0.5, relative_displacement=in_um)
+    changed = ss.History(scene.bodies, gap(scene, None), 0.5)
+    changed.set_relative_displacement(in_um)
+    for history in (constructed, changed):
+        assert history.unit == "um"
+        with pytest.raises(ValueError, match="gap has the unit mm"):
+            history.set_gap(gap(scene, "mm"))
+        history.set_gap(gap(scene, "um"))
+
+
 def test_tangential_solver_keeps_the_unit_of_relative_displacements(scene):
     problem = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, relative_displacement=pattern(scene, "mm"))
     for known in (problem, pickle.loads(pickle.dumps(problem))):

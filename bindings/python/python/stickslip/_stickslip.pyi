@@ -3479,8 +3479,8 @@ class History:
     @property
     def unit(self, /) -> str | None:
         """
-        Unit of the lengths of the gap, if one of the gaps stated it. Later gaps must have the same unit or none. A history that was
-        restored from bytes, a file or a pickle has no unit; a state in memory keeps it.
+        Unit of the lengths of the gap, if one of the gaps or relative displacements stated it. Later ones must have the same unit or
+        none. A history that was restored from bytes, a file or a pickle has no unit; a state in memory keeps it.
         """
     @property
     def unloaded_gap(self, /) -> NDArray[float64]:

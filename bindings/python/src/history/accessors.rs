@@ -50,8 +50,8 @@ impl History {
         self.read(|history| history.axis().map(Choice))
     }
 
-    /// Unit of the lengths of the gap, if one of the gaps stated it. Later gaps must have the same unit or none. A history that was
-    /// restored from bytes, a file or a pickle has no unit; a state in memory keeps it.
+    /// Unit of the lengths of the gap, if one of the gaps or relative displacements stated it. Later ones must have the same unit or
+    /// none. A history that was restored from bytes, a file or a pickle has no unit; a state in memory keeps it.
     #[getter]
     fn unit(&self) -> PyResult<Option<String>> {
         let unit = lock(&self.work, NAME)?.unit.clone();

@@ -191,9 +191,10 @@ impl History {
         let gap = gap.gap_before_friction(py, grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
-        let Field(gap, unit) = gap;
+        let Field(gap, mut unit) = gap;
         if let Some(relative) = &relative_displacement {
             check_relative("the gap", unit.as_ref(), relative.1.as_ref())?;
+            unit = unit.or_else(|| relative.1.clone());
         }
         let history = unobserved_on(py, grid, || {
             let builder = stickslip::History::builder(&bodies.0, gap, friction);
@@ -283,7 +284,9 @@ impl History {
         let history = &mut work.history;
         unobserved_on(py, self.grid(), || {
             history.set_relative_displacement(&pattern.0)
-        })
+        })?;
+        work.unit = work.unit.take().or(pattern.1);
+        Ok(())
     }
 
     /// Method, tolerance and limits of later steps; assignable.
