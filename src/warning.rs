@@ -185,16 +185,21 @@ pub enum Warning {
         /// The contact modulus divided by the largest pressure.
         parts: usize,
     },
-    /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
+    /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to either
     /// pressure. The contact after the change is then unrelated to the contact before it. Common causes are a wear
-    /// coefficient in an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa) and too many cycles of wear in one update.
+    /// coefficient in an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa) and too many cycles of wear in one update. A uniform change
+    /// of all cells does not count, because it only shifts the datum of the gap.
+    ///
+    /// On a grid that is periodic along y, the displacement depends on the datum. The force per length divided by the contact
+    /// modulus then replaces it.
     ///
     /// A step of a history has the warning if it solves for the pressure after [`set_gap`](crate::History::set_gap). Steps that
     /// roll do not have it, because the texture of their gap moves.
     ///
-    /// The next solution of a solver has the warning after [`set_gap`](crate::NormalSolver::set_gap) if the change resembles wear:
-    /// it has one sign, and a tenth of the cells outside the last contact are unchanged. Solvers accept other changes without a
-    /// warning, because their gap can change to another surface. A new problem has no last contact, and no such warning.
+    /// The next solution of a solver has the warning after [`set_gap`](crate::NormalSolver::set_gap) if the change exceeds ten
+    /// times the displacement and resembles wear. It then has one sign and leaves a tenth of the cells outside the last contact
+    /// unchanged. The gap of a solver can also change to another surface, which does not cause the warning. A new problem has no
+    /// last contact, and no such warning.
     LargeGapChange {
         /// The largest change of the gap in a contact cell divided by the largest displacement, in tenths.
         tenths: usize,

@@ -69,6 +69,10 @@
 //! The error of the area is also at least the area of the contact cells that the unresolved gap could separate. The pressure of such
 //! a cell is below $`3\,|h - \tilde h| / c`$. Two contacts can thus be separated by a channel that the cells do not resolve.
 //!
+//! The errors of pressure, traction and stick ratio are also at least $`(\sum_{e} p_i / \sum p_i)^2`$. The sum in the numerator is
+//! over contact cells with a neighbour that is not in contact. This error is one for spots that are at most two cells wide. Two grids
+//! can have the same pressure in such spots.
+//!
 //! The estimates are not bounds. In a test with 1000 random contacts, one error exceeded its target, by a factor of 1.29. The page
 //! on [accuracy](crate::guide::accuracy#contacts-with-a-required-accuracy) lists times, cells and errors.
 //!

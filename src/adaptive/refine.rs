@@ -272,11 +272,13 @@ impl OneGrid {
                 // A number can agree on two grids by chance, whereas a field cannot.
                 error = (FEW_GRIDS * error).max(part * from_difference(field)?);
             }
-            match quantity {
-                Quantity::Pressure => error = error.max(unresolved.pressure),
-                Quantity::Area => error = error.max(unresolved.area),
-                _ => {}
-            }
+            let least = match quantity {
+                Quantity::Pressure => unresolved.pressure.max(unresolved.spots),
+                Quantity::Traction | Quantity::StickRatio => unresolved.spots,
+                Quantity::Area => unresolved.area,
+                _ => 0.0,
+            };
+            error = error.max(least);
             let mut targets = problem.targets.iter();
             Ok(Estimate {
                 quantity,
@@ -292,12 +294,15 @@ impl OneGrid {
         known.map(estimate).collect()
     }
 
-    /// Returns the effect of the part of the gap inside the cells.
+    /// Returns the least errors due to structures that the cells do not resolve.
     fn unresolved(&self, problem: &AdaptiveProblem<'_>) -> Result<Unresolved> {
         let differences = gap_inside_cells(problem, self.measures.extent, &self.gap)?;
-        let pressure = self.contact.normal().pressure();
         let compliance = self.bodies.cell_compliance();
-        Ok(Unresolved::new(pressure, &differences, compliance))
+        Ok(Unresolved::new(
+            self.contact.normal(),
+            &differences,
+            compliance,
+        ))
     }
 
     /// Returns the ratio of error to target that the second differences of the first solution predict.

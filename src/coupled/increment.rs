@@ -11,7 +11,7 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::normal::{Hardness, LastContact, NormalLoad, NormalSolution};
+use crate::normal::{GapChange, Hardness, LastGap, NormalLoad, NormalSolution};
 use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
@@ -45,8 +45,7 @@ pub(crate) struct CoupledIncrement {
     /// Shift of the state from which the step starts.
     pub(super) last_shift: [f64; 2],
     pub(super) approach: f64,
-    /// Largest [change of the gap](LastContact::wear) since the last solve.
-    pub(super) gap_change: f64,
+    pub(super) last_gap: LastGap,
     report: CoupledReport,
 }
 
@@ -107,7 +106,7 @@ impl CoupledIncrement {
             motion: RigidMotion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
-            gap_change: 0.0,
+            last_gap: LastGap::default(),
             report: CoupledReport::unsolved(),
             bodies: bodies.clone(),
         })
@@ -165,14 +164,20 @@ impl CoupledIncrement {
         StepSolution::new(&self.pressed, &self.offsets, found, self.motion)
     }
 
-    /// Returns a [change](LastContact::wear) of the gap relative to the displacement of the last solve.
-    pub(super) fn wear_between(&self, gaps: [&Field; 2]) -> f64 {
-        let last = LastContact {
-            bodies: &self.bodies,
-            pressure: &self.tractions[0],
-            approach: self.approach,
-        };
-        last.wear(gaps)
+    /// Returns the [wear](LastGap::take_wear) of this gap since the last solve.
+    pub(super) fn take_wear(&mut self, gap: &Field) -> GapChange {
+        let last = (&self.tractions[0][..], self.approach);
+        self.last_gap.take_wear(&self.bodies, gap, Some(last))
+    }
+
+    /// Writes this wear to the solution of the solve with this gap.
+    pub(super) fn finish_gap(
+        &mut self,
+        gap: &Field,
+        wear: GapChange,
+        solution: &mut NormalSolution,
+    ) {
+        self.last_gap.finish((&self.bodies, gap), wear, solution);
     }
 
     /// Writes the normal solution of the last step for this gap before loading and this hardness.

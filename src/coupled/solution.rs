@@ -56,12 +56,10 @@ impl CoupledSolution {
         })
     }
 
-    pub(super) fn fill(&mut self, of: &CoupledProblem, increment: &mut CoupledIncrement) {
+    pub(super) fn fill(&mut self, of: &CoupledProblem, increment: &CoupledIncrement) {
         let (bodies, gap) = (&of.bodies, &of.gap);
         increment.write(gap, of.hardness.as_ref(), &mut self.normal);
         self.normal.measure_scale(bodies, gap);
-        self.normal
-            .set_gap_change(std::mem::take(&mut increment.gap_change));
         let input = (None, &of.friction, of.relative.as_ref());
         self.tangential
             .fill(bodies, input, &increment.answer(), increment.report());
@@ -82,6 +80,10 @@ impl CoupledSolution {
         let is_at_once = pair.is_coupled() && growth.is_at_once(&layout);
         self.tangential.set_pressed_at_once(is_at_once);
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
+    }
+
+    pub(super) fn normal_mut(&mut self) -> &mut NormalSolution {
+        &mut self.normal
     }
 
     /// Returns the normal solution: pressure, gap under load, approach and contact area. Its report describes the whole

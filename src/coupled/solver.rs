@@ -71,24 +71,25 @@ impl CoupledSolver {
 
     /// Changes the gap before loading for the next solve.
     ///
-    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear deeper than the displacement
-    /// of the last contact.
+    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear much deeper than the
+    /// displacements.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
     /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::GapUnderLoad`] if the gap is the gap under load of the last solution.
     /// - [`Error::ApproachBeyondMeanGap`] if the prescribed approach is not less than the mean gap on a periodic grid.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.collective_result(gap.check("gap", bodies.grid()))?;
+        let last = &self.engine.last_gap;
+        let checked = gap.check("gap", bodies.grid());
+        bodies.collective_result(checked.and_then(|()| last.check(gap)))?;
         self.problem.normal.check(bodies, gap, None)?;
-        let change = self.engine.wear_between([&self.problem.gap, gap]);
-        field::replace(&mut self.problem.gap, gap)?;
-        self.engine.gap_change = self.engine.gap_change.max(change);
-        Ok(())
+        self.engine.last_gap.store(&self.problem.gap)?;
+        field::replace(&mut self.problem.gap, gap)
     }
 
     /// Returns the friction of the next solve, with its cap: the last friction that was given or [set](Self::set_friction).
@@ -195,11 +196,13 @@ impl Model<CoupledSolution> for CoupledProblem {
             normal: problem.normal,
             tangential: problem.tangential.demand(),
         };
+        let wear = increment.take_wear(&problem.gap);
         let outcome = increment.solve(demand, RigidMotion::default(), &mut conditions);
         let report = increment.report_mut();
         let outcome = cancellation.applied(&problem.bodies, outcome, || report.cancelled());
         if has_iterate(&outcome) {
             solution.fill(problem, increment);
+            increment.finish_gap(&problem.gap, wear, solution.normal_mut());
         }
         // The next solve must not start from NaN. If memory ran out, it must not start from the incomplete state
         // either.

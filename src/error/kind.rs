@@ -137,6 +137,7 @@ impl Error {
             | Self::EmptyPath
             | Self::StepOutOfOrder { .. }
             | Self::NoLastStep
+            | Self::GapUnderLoad
             | Self::OutdatedSolution { .. } => ErrorKind::Argument,
         }
     }
@@ -163,5 +164,5 @@ debug_with_names! {
     Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
     ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
     Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
-    StepsPerCycle EmptyPath StepOutOfOrder NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
+    StepsPerCycle EmptyPath StepOutOfOrder NoLastStep GapUnderLoad OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
 }

@@ -525,6 +525,12 @@ pub enum Error {
         "the history has no last step, because it took no step since it was created or its state was set or restored: make a step first"
     )]
     NoLastStep,
+    /// The new gap of a solver or a history is the gap under load of the last contact, which contains the displacements. A solve
+    /// would press the deformed surfaces again.
+    #[error(
+        "the gap is the gap under load of the last solution, which contains the displacements: give the gap before loading, which is the last given gap plus the depth of wear"
+    )]
+    GapUnderLoad,
     /// The requested result would combine a solution with a different input. Examples are a derivative after a change of the
     /// input, and the edges of a tangential contact with the pressure of another normal contact.
     #[error("{changed} changed since the last solution, to which the {quantity} belongs: {remedy}")]

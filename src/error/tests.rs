@@ -37,7 +37,7 @@ variants! { Error:
     Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
     ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
     Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
-    StepsPerCycle EmptyPath StepOutOfOrder NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
+    StepsPerCycle EmptyPath StepOutOfOrder NoLastStep GapUnderLoad OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
 }
 
 /// Returns whether a text contains the name of an item of one language. The messages are the same in all languages.
@@ -500,6 +500,10 @@ fn every_error_has_its_text() {
         (
             Error::NoLastStep,
             "the history has no last step, because it took no step since it was created or its state was set or restored: make a step first",
+        ),
+        (
+            Error::GapUnderLoad,
+            "the gap is the gap under load of the last solution, which contains the displacements: give the gap before loading, which is the last given gap plus the depth of wear",
         ),
         (
             Error::OutdatedSolution {

@@ -46,7 +46,9 @@ mod solution;
 mod solver;
 mod window_solver;
 
-pub(crate) use gap_change::LastContact;
+#[cfg(feature = "history")]
+pub(crate) use gap_change::LoadedCell;
+pub(crate) use gap_change::{GapChange, LastGap, PressedGap};
 pub use hardness::Hardness;
 pub use load::{NormalControl, NormalLoad};
 pub(crate) use pressure_solver::{NormalInput, PressureSolver};

@@ -152,9 +152,9 @@ impl NormalSolution {
         self.scale = Scale::of(bodies, initial.as_slice(), pressure, self.approach);
     }
 
-    /// Records the [change](crate::normal::LastContact::wear) of the gap since the last solve.
-    pub(crate) fn set_gap_change(&mut self, ratio: f64) {
-        self.scale.gap_change_tenths = Warning::gap_change_beyond(ratio);
+    /// Records wear of the gap since the last solve, relative to the displacement.
+    pub(crate) fn set_wear(&mut self, ratio: f64) {
+        self.scale.gap_change_tenths = Warning::wear_beyond(ratio);
     }
 
     pub(crate) fn scale(&self) -> Scale {

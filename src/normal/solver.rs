@@ -11,7 +11,7 @@ use crate::grid::window::Window;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
-use crate::normal::{Hardness, LastContact, NormalLoad, NormalProblem, NormalSolution};
+use crate::normal::{Hardness, LastGap, NormalLoad, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
@@ -44,8 +44,14 @@ pub(crate) struct NormalBuffers {
     press: PressureSolver,
     /// Last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
-    /// Largest [change of the gap](LastContact::wear) since the last solve.
-    gap_change: f64,
+    last_gap: LastGap,
+}
+
+impl NormalBuffers {
+    fn last_contact(&self) -> Option<(&[f64], f64)> {
+        let has_solved = self.press.window().is_some();
+        has_solved.then(|| (&self.pressure[..], self.press.approach()))
+    }
 }
 
 impl NormalSolver {
@@ -92,34 +98,32 @@ impl NormalSolver {
     /// Changes the gap of the next solve, for instance after wear. The gap is copied without allocation unless the
     /// previous gap is shared with other owners.
     ///
-    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear deeper than the displacement
-    /// of the last contact.
+    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear much deeper than the
+    /// displacements.
     ///
     /// # Errors
-    /// Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the gap. The
-    /// gap is unchanged after an error.
+    /// - [`Error::GapUnderLoad`](crate::Error::GapUnderLoad) if the gap is the gap under load of the last solution.
+    /// - Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the gap.
+    ///
+    /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.collective_result(check_gap(bodies, gap))?;
+        let last = &self.engine.last_gap;
+        bodies.collective_result(check_gap(bodies, gap).and_then(|()| last.check(gap)))?;
         self.problem.load.check(bodies, gap, None)?;
-        let change = self.wear_between([&self.problem.gap, gap]);
-        field::replace(&mut self.problem.gap, gap)?;
-        self.engine.gap_change = self.engine.gap_change.max(change);
-        Ok(())
+        self.engine.last_gap.store(&self.problem.gap)?;
+        field::replace(&mut self.problem.gap, gap)
     }
 
-    /// Returns a [change](LastContact::wear) of the gap relative to the displacement of the last solve, or zero before the
-    /// first solve.
-    pub(crate) fn wear_between(&self, gaps: [&Field; 2]) -> f64 {
-        let NormalBuffers {
-            press, pressure, ..
-        } = &self.engine;
-        let last = LastContact {
-            bodies: &self.problem.bodies,
-            pressure,
-            approach: press.approach(),
-        };
-        press.window().map_or(0.0, |_| last.wear(gaps))
+    /// Replaces the gap of the next solve without a check. The solver does not compare the gap with earlier gaps.
+    #[cfg(feature = "rolling")]
+    pub(crate) fn replace_gap(&mut self, gap: &Field) -> Result<()> {
+        field::replace(&mut self.problem.gap, gap)
+    }
+
+    /// Returns the last pressure and its approach, or `None` before the first solve.
+    pub(crate) fn last_contact(&self) -> Option<(&[f64], f64)> {
+        self.engine.last_contact()
     }
 
     /// Changes the largest pressure that the cells can carry in the next solve.
@@ -173,7 +177,7 @@ impl Model<NormalSolution> for NormalProblem {
         Ok(NormalBuffers {
             press: PressureSolver::new(),
             pressure: bodies.collective_result(fallible::zeros(grid.cells()))?,
-            gap_change: 0.0,
+            last_gap: LastGap::default(),
         })
     }
 
@@ -193,10 +197,10 @@ impl Model<NormalSolution> for NormalProblem {
         observer: Observer<'_>,
     ) -> Result<()> {
         let of = solver.problem.pressing();
+        let mut last_gap = std::mem::take(&mut solver.engine.last_gap);
+        let wear = last_gap.take_wear(of.bodies, of.gap, solver.engine.last_contact());
         let NormalBuffers {
-            press,
-            pressure,
-            gap_change,
+            press, pressure, ..
         } = &mut solver.engine;
         press.discard_costly_start(&of, pressure);
         let outcome = press.solve(&of, pressure, observer);
@@ -204,8 +208,9 @@ impl Model<NormalSolution> for NormalProblem {
             parallel::copy(pressure, solution.pressure_mut());
             press.finish(&of, solution);
             solution.measure_scale(of.bodies, of.gap);
-            solution.set_gap_change(std::mem::take(gap_change));
+            last_gap.finish((of.bodies, of.gap), wear, solution);
         }
+        solver.engine.last_gap = last_gap;
         outcome
     }
 

@@ -34,6 +34,8 @@ pub(super) const LARGEST_COUPLING: usize = 50;
 
 /// Largest change of the gap without a warning, in tenths of the largest normal displacement.
 const LARGEST_GAP_CHANGE: usize = 10;
+/// Largest change without a warning of a gap that a solver compares with its last gap. Changes of a study can resemble wear.
+const LARGEST_WEAR: usize = 100;
 
 /// Largest contact modulus without a warning, in largest pressures of a contact at its hardness.
 pub(crate) const LOWEST_HARDNESS: usize = 10_000;
@@ -191,6 +193,11 @@ impl Warning {
     /// Returns a change of the gap over the largest normal displacement, in tenths, or `None` if the change is small.
     pub(crate) fn gap_change_beyond(ratio: f64) -> Option<usize> {
         tenths_beyond(ratio, LARGEST_GAP_CHANGE)
+    }
+
+    /// Returns the wear between two solves over the largest normal displacement, in tenths, or `None` if the wear is small.
+    pub(crate) fn wear_beyond(ratio: f64) -> Option<usize> {
+        tenths_beyond(ratio, LARGEST_WEAR)
     }
 
     /// Returns the warning about a solve that ended before it converged.

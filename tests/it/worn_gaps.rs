@@ -1,11 +1,12 @@
-//! The warning about wear deeper than the displacement of the last contact, from solvers whose gap changes.
+//! Changes of the gap between solves: the warning about deep wear, and the rejection of gaps under load.
 
 use std::f64::consts::PI;
 
+use stickslip::history::AdaptiveSteps;
 use stickslip::rolling::CoupledRollingProblem;
 use stickslip::{
-    CoupledProblem, Field, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
-    Warning,
+    Boundary, CoupledProblem, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, NormalSolution, TangentialLoad, Warning, surface,
 };
 
 fn ball() -> (HalfSpace, Field, NormalLoad) {
@@ -29,7 +30,7 @@ fn worn(gap: &Field, depth: f64, is_worn: impl Fn(usize) -> bool) -> Field {
 }
 
 /// Returns the largest displacement of the contact, and the condition that a cell is in contact.
-fn contact_of(contact: &NormalSolution, gap: &Field) -> (f64, impl Fn(usize) -> bool) {
+fn contact_of(contact: &NormalSolution, gap: &Field) -> (f64, impl Fn(usize) -> bool + use<>) {
     let pressure = contact.pressure().clone();
     let is_contact = move |i: usize| pressure.as_slice()[i] > 0.0;
     (contact.approach() - gap.min(), is_contact)
@@ -44,35 +45,143 @@ fn wear_differs_from_change_of_surface() {
     let radius = (contact.contact_area() / PI).sqrt();
     let is_track = |i: usize| grid.y(i / grid.nx()).abs() <= radius;
     let wear = |part: f64| worn(&ball, part * depth, &is_contact);
+    let lowered = wear(20.0).map(|gap| gap - 3.0 * depth);
     let cases = [
-        (wear(0.9), None),
-        (wear(2.5), Some(25)),
-        (wear(-2.5), Some(25)),
-        (wear(1e6), Some(10_000_000)),
-        (worn(&ball, 2.5 * depth, is_track), Some(25)),
+        (wear(9.0), false),
+        (wear(20.0), true),
+        (wear(-20.0), true),
+        (wear(1e6), true),
+        (worn(&ball, 20.0 * depth, is_track), true),
+        (lowered, true),
         // A change of the datum, other surfaces, and a change outside the contact.
-        (worn(&ball, 2.5 * depth, |_| true), None),
-        (kit::rough(grid, 5).scaled(100.0 * depth), None),
-        (kit::sphere(grid, 0.1), None),
-        (worn(&ball, 1e3, |i| !is_contact(i)), None),
+        (worn(&ball, 20.0 * depth, |_| true), false),
+        (kit::rough(grid, 5).scaled(100.0 * depth), false),
+        (kit::sphere(grid, 0.01), false),
+        (worn(&ball, 1e3, |i| !is_contact(i)), false),
     ];
-    for (gap, expected) in cases {
+    for (gap, is_deep) in cases {
         let mut solver = kit::solver(NormalProblem::builder(&bodies, &ball, load));
         let mut solution = solver.new_solution();
         let mut solve = |gap: &Field, is_new: bool| {
+            solver.set_gap(gap).unwrap();
             if is_new {
                 solver.reset();
             }
-            solver.set_gap(gap).unwrap();
             solver.solve_into(&mut solution).unwrap();
-            tenths(solution.warnings())
+            tenths(solution.warnings()).is_some()
         };
         // The first solve has no earlier contact.
-        assert_eq!(solve(&gap, false), None);
-        assert_eq!(solve(&ball, true), None);
-        assert_eq!(solve(&gap, false), expected);
-        assert_eq!(solve(&gap, false), None);
+        assert!(!solve(&gap, false));
+        assert!(!solve(&ball, true));
+        assert_eq!(solve(&gap, false), is_deep);
+        assert!(!solve(&gap, false));
     }
+}
+
+#[test]
+fn wear_of_solver_is_the_net_change_since_the_last_solve() {
+    let (bodies, ball, load) = ball();
+    let mut solver = kit::solver(NormalProblem::builder(&bodies, &ball, load));
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    let (depth, is_contact) = contact_of(&solution, &ball);
+    solver
+        .set_gap(&worn(&ball, 100.0 * depth, &is_contact))
+        .unwrap();
+    solver.set_gap(&ball).unwrap();
+    solver.solve_into(&mut solution).unwrap();
+    assert_eq!(tenths(solution.warnings()), None);
+    for part in 1..=50 {
+        let gap = worn(&ball, f64::from(part) * depth, &is_contact);
+        solver.set_gap(&gap).unwrap();
+    }
+    solver.solve_into(&mut solution).unwrap();
+    // The displacement after the wear is larger, because the contact has moved to a ring of larger gap.
+    let found = tenths(solution.warnings()).unwrap();
+    assert!((200..=500).contains(&found), "{found}");
+}
+
+/// Wear can be added while the bodies are almost unloaded. It is small if it is less than the displacement under the next load.
+#[test]
+fn wear_under_low_load_is_relative_to_the_displacement_of_the_next_load() {
+    let (bodies, ball, NormalLoad::Force(force)) = ball() else {
+        unreachable!("the load is a force")
+    };
+    let low = NormalLoad::Force(1e-4 * force);
+    let mut solver = kit::solver(NormalProblem::builder(&bodies, &ball, low));
+    let mut history = History::builder(&bodies, &ball, kit::coulomb(0.3))
+        .build()
+        .unwrap();
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    history.step(&LoadStep::hold().normal(low)).unwrap();
+    let (depth, is_contact) = contact_of(&solution, &ball);
+    let gap = worn(&ball, 20.0 * depth, is_contact);
+    for (load, is_deep) in [(NormalLoad::Force(force), false), (low, true)] {
+        solver.set_load(load).unwrap();
+        solver.set_gap(&gap).unwrap();
+        solver.solve_into(&mut solution).unwrap();
+        let mut worn = history.clone();
+        worn.set_gap(&gap).unwrap();
+        let step = worn.step(&LoadStep::hold().normal(load)).unwrap();
+        assert_eq!(tenths(step.warnings()).is_some(), is_deep);
+        assert_eq!(tenths(solution.warnings()).is_some(), is_deep);
+        solver.set_load(low).unwrap();
+        solver.set_gap(&ball).unwrap();
+        solver.solve_into(&mut solution).unwrap();
+    }
+}
+
+/// The first of several steps solves for the pressure after the wear. The last step keeps its warning.
+#[test]
+fn wear_before_several_steps_has_warning_of_last_step() {
+    let (bodies, ball, load) = ball();
+    let press = LoadStep::hold().normal(load);
+    let mut history = History::builder(&bodies, &ball, kit::coulomb(0.3))
+        .build()
+        .unwrap();
+    history.step(&press).unwrap();
+    let (depth, is_contact) = contact_of(history.normal(), &ball);
+    history
+        .set_gap(&worn(&ball, 20.0 * depth, is_contact))
+        .unwrap();
+    let load = LoadStep::shift([1e-3, 0.0]).normal(load);
+    let mut pressed = history.clone();
+    assert!(pressed.press(&load, 1e-2).unwrap() > 1);
+    let mut stepped = history.clone();
+    let mut steps = AdaptiveSteps::new(&stepped, 1e-2).unwrap();
+    assert!(steps.step(&mut stepped, &load).unwrap() > 1);
+    let once = tenths(history.step(&load).unwrap().warnings()).unwrap();
+    for history in [pressed, stepped] {
+        let found = tenths(history.last_step().unwrap().warnings()).unwrap();
+        assert!(found.abs_diff(once) <= once / 2, "{found} {once}");
+    }
+}
+
+/// The displacement of a line depends on the arbitrary datum. The warning does not.
+#[test]
+fn wear_of_line_contact_does_not_depend_on_datum() {
+    let grid = Grid::line(64, 0.05).unwrap();
+    let cylinder = surface::cylinder(grid, 2.0).unwrap();
+    let found = [1e2, 1e8].map(|datum| {
+        let bodies = HalfSpace::with_boundary(
+            grid,
+            kit::unit_pair(0.3),
+            Boundary::PeriodicAlongY { datum },
+        )
+        .unwrap();
+        let load = NormalLoad::Force(0.2 * grid.dy());
+        let mut solver = kit::solver(NormalProblem::builder(&bodies, &cylinder, load));
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution).unwrap();
+        let (_, is_contact) = contact_of(&solution, &cylinder);
+        solver.set_gap(&worn(&cylinder, 8.0, is_contact)).unwrap();
+        solver.solve_into(&mut solution).unwrap();
+        tenths(solution.warnings()).unwrap()
+    });
+    assert!(found[0].abs_diff(found[1]) <= 1, "{found:?}");
+    // The force per length over the contact modulus is 0.2.
+    assert!(found[0].abs_diff(400) <= 4, "{found:?}");
 }
 
 /// Another part of a rough surface has summits at other places. The contact of a light load is then unrelated to the last contact.
@@ -93,6 +202,30 @@ fn other_parts_of_rough_surface_have_no_warning() {
     }
 }
 
+/// A closed contact has no cells outside. A change of the datum does not count.
+#[test]
+fn closed_contact_compares_deviations_from_mean_change() {
+    let grid = kit::square(16, 1.0);
+    let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    let wave = surface::bisinusoidal(grid, 1e-3, [1.0; 2]).unwrap();
+    let load = NormalLoad::Force(1.0);
+    let mut solver = kit::solver(NormalProblem::builder(&bodies, &wave, load));
+    let mut solution = solver.new_solution();
+    for (gap, is_deep) in [
+        (wave.map(|gap| gap + 1.0), false),
+        (wave.scaled(2.0), false),
+        (worn(&wave, 1.0, |i| i == 40), true),
+    ] {
+        solver.set_gap(&wave).unwrap();
+        solver.solve_into(&mut solution).unwrap();
+        assert_eq!(solution.contact_cells(), grid.cells());
+        solver.set_gap(&gap).unwrap();
+        solver.solve_into(&mut solution).unwrap();
+        assert_eq!(tenths(solution.warnings()).is_some(), is_deep);
+        solver.reset();
+    }
+}
+
 #[test]
 fn wear_of_coupled_solvers_has_warning() {
     let (bodies, ball, load) = ball();
@@ -107,10 +240,12 @@ fn wear_of_coupled_solvers_has_warning() {
     let mut solution = solver.new_solution();
     solver.solve_into(&mut solution).unwrap();
     let (depth, is_contact) = contact_of(solution.normal(), &ball);
-    let gap = worn(&ball, 3.0 * depth, is_contact);
-    solver.set_gap(&gap).unwrap();
+    solver
+        .set_gap(&worn(&ball, 30.0 * depth, is_contact))
+        .unwrap();
     solver.solve_into(&mut solution).unwrap();
-    assert_eq!(tenths(solution.warnings()), Some(30));
+    let found = tenths(solution.warnings()).unwrap();
+    assert!((100..=300).contains(&found), "{found}");
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(tenths(solution.warnings()), None);
 
@@ -121,12 +256,63 @@ fn wear_of_coupled_solvers_has_warning() {
         let mut solution = solver.new_solution();
         solver.solve_into(&mut solution).unwrap();
         let (depth, is_contact) = contact_of(solution.normal(), &ball);
-        let gap = worn(&ball, 3.0 * depth, is_contact);
-        solver.set_gap(&gap).unwrap();
+        solver
+            .set_gap(&worn(&ball, 30.0 * depth, is_contact))
+            .unwrap();
         solver.solve_into(&mut solution).unwrap();
         let found = tenths(solution.warnings()).unwrap();
-        assert!(found.abs_diff(30) <= 1, "{found}");
+        assert!((100..=300).contains(&found), "{found}");
         solver.solve_into(&mut solution).unwrap();
         assert_eq!(tenths(solution.warnings()), None);
     }
+}
+
+/// The gap of a solution is the gap under load. As a gap before loading it is an error, also with wear in the contact.
+#[test]
+fn gap_under_load_is_rejected() {
+    let (bodies, ball, load) = ball();
+    let friction = kit::coulomb(0.3);
+    let with_wear = |normal: &NormalSolution| {
+        let (depth, is_contact) = contact_of(normal, &ball);
+        worn(normal.gap(), 0.01 * depth, is_contact)
+    };
+    let mut solver = kit::solver(NormalProblem::builder(&bodies, &ball, load));
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    for gap in [solution.gap().clone(), with_wear(&solution)] {
+        kit::assert_refused! { solver.set_gap(&gap) => Error::GapUnderLoad }
+    }
+    assert_eq!(solver.gap(), &ball);
+    // The gap of an open contact is its gap before loading.
+    let mut open = kit::solver(NormalProblem::builder(
+        &bodies,
+        &ball,
+        NormalLoad::Force(0.0),
+    ));
+    open.solve_into(&mut solution).unwrap();
+    open.set_gap(solution.gap()).unwrap();
+
+    let still = TangentialLoad::shift([0.0; 2]);
+    let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), load, still);
+    let mut solver = kit::solver(problem);
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    let gap = with_wear(solution.normal());
+    kit::assert_refused! { solver.set_gap(&gap) => Error::GapUnderLoad }
+
+    let problem = CoupledRollingProblem::builder(&bodies, &ball, friction.clone(), load);
+    let mut solver = kit::solver(problem);
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    let gap = with_wear(solution.normal());
+    kit::assert_refused! { solver.set_gap(&gap) => Error::GapUnderLoad }
+
+    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    let loaded = history.normal().gap().clone();
+    history.set_gap(&loaded).unwrap();
+    history.step(&LoadStep::hold().normal(load)).unwrap();
+    let gap = with_wear(history.normal());
+    let before = history.to_bytes();
+    kit::assert_refused! { history.set_gap(&gap) => Error::GapUnderLoad }
+    assert_eq!(history.to_bytes(), before);
 }

@@ -3,7 +3,7 @@
 use crate::cgm::reduce;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::normal::LastContact;
+use crate::normal::PressedGap;
 use crate::parallel::layout::Layout;
 use crate::tangential::{Friction, Zone};
 
@@ -63,13 +63,13 @@ impl State {
         sum * self.grid().cell_area()
     }
 
-    /// Returns the [largest change of the gap](LastContact::gap_change) since the last pressure was computed.
-    pub(in crate::history) fn gap_change(&self, bodies: &HalfSpace) -> f64 {
-        let last = LastContact {
+    /// Returns the last pressed contact with its gap before loading.
+    pub(in crate::history) fn pressed<'a>(&'a self, bodies: &'a HalfSpace) -> PressedGap<'a> {
+        PressedGap {
             bodies,
+            gap: &self.pressed_gap,
             pressure: self.pressure().as_slice(),
             approach: self.normal.approach(),
-        };
-        last.gap_change([&self.pressed_gap, &self.gap])
+        }
     }
 }

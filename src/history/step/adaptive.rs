@@ -189,6 +189,7 @@ impl AdaptiveSteps {
         observer: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<usize> {
         let (mut start, mut part, mut steps) = (0.0, 1.0_f64, 0);
+        let mut change = None;
         while start < 1.0 {
             // Fractions are powers of two, so that the last step ends exactly at the end of the load.
             let end = start + part;
@@ -200,6 +201,7 @@ impl AdaptiveSteps {
                 // The error estimate replaces the criterion for the growth of the contact.
                 for step in [&mut self.middle.1, &mut history.step] {
                     step.remarks.is_pressed_at_once = false;
+                    change = change.max(step.remarks.gap_change_tenths);
                 }
                 self.show(history, observer)?;
                 (start, steps) = (end, steps + 2);
@@ -218,6 +220,8 @@ impl AdaptiveSteps {
                 });
             }
         }
+        // The gap changed before the first step.
+        history.step.remarks.gap_change_tenths = change;
         Ok(steps)
     }
 

@@ -37,7 +37,7 @@ impl History {
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let is_pressed = candidate.held().is_some();
         let is_worn = is_pressed && state.is_pressure_stale && travel.is_none();
-        let gap_change = is_worn.then(|| state.gap_change(bodies));
+        let gap_change = is_worn.then(|| state.pressed(bodies).change_to(&state.gap));
         match candidate.held_mut() {
             None if control == NormalControl::Hold => {
                 step.normal_report.clone_from(&Report::unsolved());
@@ -66,9 +66,10 @@ impl History {
             overloaded_cells: state.normal.overloaded_cells(),
             neglected_lift: scheme.neglected_lift(),
             friction_tenths: Warning::friction_beyond(state.friction.largest_coefficient(bodies)),
-            gap_change_tenths: gap_change.and_then(Warning::gap_change_beyond),
             ..StepDiagnostics::default()
         };
+        let gap_change = gap_change.map(|change| change.relative_to(state.pressed(bodies)));
+        step.remarks.gap_change_tenths = gap_change.and_then(Warning::gap_change_beyond);
         state.is_friction_new = false;
         step.normal_force = state.normal.force();
         step.approach = state.approach();

@@ -31,7 +31,7 @@ use crate::history::step::solve::StepInput;
 use crate::history::{LoadStep, StepResult};
 use crate::memory::fallible::TryClone;
 use crate::memory::pool::PooledBuffer;
-use crate::normal::NormalSolution;
+use crate::normal::{LoadedCell, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Iteration;
@@ -336,14 +336,19 @@ impl History {
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
     /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::GapUnderLoad`] if the gap is the [gap under load](crate::NormalSolution::gap) of the present contact.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        self.bodies
-            .collective_result(gap.check("gap", self.grid()))?;
+        let is_pressed = self.state.normal.report().status != Status::Unsolved;
+        let checked = gap.check("gap", self.grid()).and_then(|()| {
+            let loaded = LoadedCell::of(&self.state.normal, &self.state.pressed_gap);
+            let loaded = loaded.filter(|_| is_pressed);
+            loaded.map_or(Ok(()), |cell| cell.check_differs(gap))
+        });
+        self.bodies.collective_result(checked)?;
         let state = &mut self.state;
-        let is_pressed = state.normal.report().status != Status::Unsolved;
         let (pressed, new) = (state.pressed_gap.as_slice(), gap.as_slice());
         let yielded = state.yielded.as_ref().map(Field::as_slice);
         let differs = reduce::any(&self.bodies.grid_layout(), |i| {

@@ -238,26 +238,32 @@ impl LoadRamp<'_> {
         after_step: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<()> {
         history.set_state(&self.start)?;
+        let mut change = None;
         for step in 1..=steps {
             let part = self.course.part(step as f64 / steps as f64);
             history.step_observed(&self.load.part(&self.start, part), &mut *observer)?;
             history.step.remarks.is_pressed_at_once = false;
+            change = change.max(history.step.remarks.gap_change_tenths);
             history.bodies.run_collectively(|| after_step(history))?;
         }
+        history.step.remarks.gap_change_tenths = change;
         Ok(())
     }
 
-    /// Takes the load in `steps` steps.
+    /// Takes the load in `steps` steps. The diagnostics of the last step then contain a change of the gap before the first step.
     fn take(
         &self,
         history: &mut History,
         steps: usize,
         observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
     ) -> Result<()> {
+        let mut change = None;
         for step in 1..=steps {
             let part = self.course.part(step as f64 / steps as f64);
             history.step_observed(&self.load.part(&self.start, part), &mut *observer)?;
+            change = change.max(history.step.remarks.gap_change_tenths);
         }
+        history.step.remarks.gap_change_tenths = change;
         Ok(())
     }
 }

@@ -98,22 +98,23 @@ impl CoupledRollingSolver {
 
     /// Sets the gap before loading for the next solve.
     ///
-    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear deeper than the displacement
-    /// of the last contact.
+    /// The next solution has the warning [`LargeGapChange`](crate::Warning::LargeGapChange) after wear much deeper than the
+    /// displacements.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) or
     ///   [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::GapUnderLoad`](crate::Error::GapUnderLoad) if the gap is the gap under load of the last solution.
     /// - [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) if a prescribed approach is too large for the gap.
     ///
     /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         gap.check("gap", bodies.grid())?;
+        self.engine.last_gap.check(gap)?;
         self.problem.normal.check(bodies, gap, None)?;
-        let change = self.engine.normal.wear_between([&self.problem.gap, gap]);
+        self.engine.last_gap.store(&self.problem.gap)?;
         field::replace(&mut self.problem.gap, gap)?;
-        self.engine.gap_change = self.engine.gap_change.max(change);
         self.engine.changed = Some("the gap");
         Ok(())
     }

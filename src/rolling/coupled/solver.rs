@@ -8,7 +8,7 @@ use crate::contact::{
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+use crate::normal::{GapChange, LastGap, NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::observer::Observer;
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
@@ -77,8 +77,7 @@ pub(crate) struct CoupledRollingEngine {
     lift: Vec<f64>,
     spin: f64,
     is_warm: bool,
-    /// Largest [change of the gap](crate::normal::LastContact::wear) since the last solve.
-    pub(super) gap_change: f64,
+    pub(super) last_gap: LastGap,
     /// Name of the input that has changed since the last solution, for error messages.
     pub(super) changed: Option<&'static str>,
     /// Normal half of the last solution of coupled bodies.
@@ -132,7 +131,7 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
             lift: fallible::zeros(cells)?,
             spin: 0.0,
             is_warm: false,
-            gap_change: 0.0,
+            last_gap: LastGap::default(),
             changed: None,
             last: None,
             report: CoupledRollingReport::unsolved(),
@@ -165,11 +164,16 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
         let mut conditions = SolveContext::new(&settings, &mut observer);
         // If a solve ends without an iterate, neither the earlier solution nor a new one is available.
         solver.engine.changed = Some("the input");
+        let CoupledRollingEngine {
+            normal, last_gap, ..
+        } = &mut solver.engine;
+        let CoupledRollingProblem { bodies, gap, .. } = &solver.problem;
+        let wear = last_gap.take_wear(bodies, gap, normal.last_contact());
         let outcome = solver.solve_passes(solution, &mut conditions);
         let outcome = cancellation.applied(&solver.problem.bodies, outcome, || {
             solver.engine.report.work.cancelled()
         });
-        solver.finish(solution, &outcome);
+        solver.finish(solution, &outcome, wear);
         outcome
     }
 
@@ -340,7 +344,7 @@ impl CoupledRollingSolver {
     fn lift_gap(&mut self) -> Result<()> {
         self.engine.normal.set_load(self.problem.normal)?;
         let Some(lifting) = &mut self.engine.lifting else {
-            return self.engine.normal.set_gap(&self.problem.gap);
+            return self.engine.normal.replace_gap(&self.problem.gap);
         };
         lifting.lift(
             self.engine
@@ -353,7 +357,7 @@ impl CoupledRollingSolver {
         for (gap, lift) in gap.as_mut_slice().iter_mut().zip(&self.engine.lift) {
             *gap += lift;
         }
-        self.engine.normal.set_gap(&gap)
+        self.engine.normal.replace_gap(&gap)
     }
 
     /// Creates the rolling problem for a pressure. Reduces the forces if they exceed the friction capacity under this
@@ -462,7 +466,12 @@ impl CoupledRollingSolver {
     }
 
     /// Writes the report and marks both halves as halves of a coupled contact.
-    fn finish(&mut self, solution: &mut CoupledRollingSolution, outcome: &Result<()>) {
+    fn finish(
+        &mut self,
+        solution: &mut CoupledRollingSolution,
+        outcome: &Result<()>,
+        wear: GapChange,
+    ) {
         if self.engine.lifting.is_some() {
             self.engine.report.work.duality_gap = f64::INFINITY;
         }
@@ -476,8 +485,9 @@ impl CoupledRollingSolver {
             solution.rolling.set_report(&self.engine.report.work);
         }
         if has_iterate(outcome) {
-            let change = std::mem::take(&mut self.engine.gap_change);
-            solution.normal.set_gap_change(change);
+            let CoupledRollingProblem { bodies, gap, .. } = &self.problem;
+            let last_gap = &mut self.engine.last_gap;
+            last_gap.finish((bodies, gap), wear, &mut solution.normal);
         }
         // The next solve starts from these tractions.
         for (kept, found) in self
