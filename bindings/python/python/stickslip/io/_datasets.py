@@ -60,6 +60,8 @@ _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz"
 def to_xarray(solution: Any) -> xarray.Dataset:
     """Converts the fields and numbers of a solution to a dataset of xarray (``pip install xarray``).
 
+    The dataset of a history or a state contains ``unloaded_gap`` only, and no gap under load: convert ``history.normal`` for that.
+
     Fields have the dimensions (y, x), with the centres of the cells as coordinates. Components of vectors are named by
     their axis, such as ``traction_x``, and components of stresses by both axes, such as ``xz``. Numbers are attributes of
     the dataset. The docstring of each field is its attribute ``long_name``: ``gap`` is the gap under load, and ``unloaded_gap``
@@ -172,8 +174,8 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
 def from_xarray(array: xarray.DataArray) -> Field:
     """Converts an array of xarray with the heights of a surface to a field, with the unit in its attribute ``units``.
 
-    Coordinates with an attribute ``units`` are converted to the unit of the heights. Coordinates without it have the unit of
-    the heights.
+    Coordinates with an attribute ``units`` are converted to the unit of the heights. If both coordinates have none, they have
+    the unit of the heights.
 
     Heights that equal ``_FillValue`` or ``missing_value``, in the attributes or the encoding, are missing (NaN). The encoding is
     ignored if it also contains ``scale_factor`` or ``add_offset``.
@@ -190,7 +192,8 @@ def from_xarray(array: xarray.DataArray) -> Field:
         coordinates are not real numbers, such as text, times or truth values.
     ValueError
         If the array has different dimensions, if its coordinates are missing or not evenly spaced and increasing, if a unit is not
-        a unit of length, or if the coordinates have units and the heights have none.
+        a unit of length, if one coordinate has a unit and the other has none, or if the coordinates have units and the heights have
+        none.
     """
     if not all(hasattr(array, name) for name in ("dims", "attrs", "transpose")) or hasattr(array, "data_vars"):
         variables = [str(name) for name in getattr(array, "data_vars", ())]
@@ -207,6 +210,13 @@ def from_xarray(array: xarray.DataArray) -> Field:
                 "array.assign_coords(x=grid.x, y=grid.y), or create a Field by Field(grid, array)"
             )
     own, along = array.attrs.get("units"), [array[axis].attrs.get("units") for axis in ("x", "y")]
+    if along.count(None) == 1:
+        known, missing = ("x", "y") if along[1] is None else ("y", "x")
+        unit = along[0] or along[1]
+        raise ValueError(
+            f"the coordinates along {known} have the unit {unit}, but the coordinates along {missing} have none: "
+            f'set array["{missing}"].attrs["units"] = "{unit}"'
+        )
     if own is None and along != [None, None]:
         raise ValueError(
             f"the coordinates have the units {along[0]} along x and {along[1]} along y, but the heights have none: "
@@ -233,6 +243,10 @@ def from_xarray(array: xarray.DataArray) -> Field:
 def _real(values: Any, quantity: str) -> NDArray[Any]:
     """Returns an array of real numbers, or raises an error for entries that NumPy would convert by a guess."""
     entries = np.asarray(values)
+    if entries.dtype == np.float16:
+        error = ArgumentType(f"the type float16 of {quantity} has three digits: give array.astype(float) if this is intended")
+        error.argument = "array"
+        raise error
     found = _NOT_REAL.get(entries.dtype.kind)
     if entries.dtype.kind == "O":
         kinds = {np.asarray(entry).dtype.kind for entry in entries.flat}
