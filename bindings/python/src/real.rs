@@ -106,8 +106,10 @@ fn is_half_precision(object: &Bound<'_, PyAny>) -> PyResult<bool> {
         return Ok(false);
     };
     let dtype = array.getattr("dtype")?;
-    let (kind, size): (String, usize) =
-        (dtype.getattr("kind")?.extract()?, dtype.getattr("itemsize")?.extract()?);
+    let (kind, size): (String, usize) = (
+        dtype.getattr("kind")?.extract()?,
+        dtype.getattr("itemsize")?.extract()?,
+    );
     let dimensions: usize = array.getattr("ndim")?.extract()?;
     Ok(kind == "f" && size == 2 && dimensions > 0)
 }

@@ -23,8 +23,8 @@ impl Stated<'_> {
     /// Returns an error if the header of a file states other units. The reader of the file reports a file that cannot be read.
     pub(crate) fn check_file(self, path: &Path) -> PyResult<()> {
         let mut start = Vec::new();
-        let read =
-            File::open(path).and_then(|file| file.take(LONGEST_HEADER as u64).read_to_end(&mut start));
+        let read = File::open(path)
+            .and_then(|file| file.take(LONGEST_HEADER as u64).read_to_end(&mut start));
         match read {
             Ok(_) => self.check(&start, &format!("{}, ", path.display())),
             Err(_) => Ok(()),
@@ -35,7 +35,11 @@ impl Stated<'_> {
     pub(crate) fn check(self, bytes: &[u8], prefix: &str) -> PyResult<()> {
         let start = &bytes[..bytes.len().min(LONGEST_HEADER)];
         let text = String::from_utf8_lossy(start);
-        for (index, line) in text.lines().enumerate().take_while(|(_, line)| !is_point(line)) {
+        for (index, line) in text
+            .lines()
+            .enumerate()
+            .take_while(|(_, line)| !is_point(line))
+        {
             for (axis, found) in units(line) {
                 let (argument, due) = match (axis, self.height_unit) {
                     ('Z', Some(height)) => ("height_unit", height),
@@ -57,7 +61,9 @@ impl Stated<'_> {
 
 /// Returns whether a line starts with a number, as the line of a point.
 fn is_point(line: &str) -> bool {
-    let first = line.split([' ', '\t', ',', ';']).find(|word| !word.is_empty());
+    let first = line
+        .split([' ', '\t', ',', ';'])
+        .find(|word| !word.is_empty());
     first.is_some_and(|word| word.parse::<f64>().is_ok())
 }
 
