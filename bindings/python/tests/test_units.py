@@ -254,9 +254,10 @@ def test_unit_of_one_coordinate_alone_is_rejected():
     for known, missing in (("x", "y"), ("y", "x")):
         coordinates = {known: (known, along, {"units": "um"}), missing: (missing, along)}
         array = xarray.DataArray(np.zeros((4, 4)), dims=("y", "x"), coords=coordinates, attrs={"units": "nm"})
-        message = f"along {known} have the unit um, but the coordinates along {missing} have none: set array"
+        message = f'along {known} have the unit um, those along {missing} have none, and the heights have the unit nm: set array."{missing}'
         with pytest.raises(ValueError, match=message):
             ss.io.from_xarray(array)
+        assert ss.io.from_xarray(array.assign_attrs(units="um")).grid == ss.Grid(4, 4, 1.0, 1.0)
 
 
 POINTS = "".join(f"{x + 0.5} {y + 0.5} {x * y}\n" for y in range(4) for x in range(4))

@@ -174,8 +174,8 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
 def from_xarray(array: xarray.DataArray) -> Field:
     """Converts an array of xarray with the heights of a surface to a field, with the unit in its attribute ``units``.
 
-    Coordinates with an attribute ``units`` are converted to the unit of the heights. If both coordinates have none, they have
-    the unit of the heights.
+    Coordinates with an attribute ``units`` are converted to the unit of the heights. Coordinates without it have the unit of
+    the heights, unless the other coordinates have a different unit.
 
     Heights that equal ``_FillValue`` or ``missing_value``, in the attributes or the encoding, are missing (NaN). The encoding is
     ignored if it also contains ``scale_factor`` or ``add_offset``.
@@ -192,8 +192,8 @@ def from_xarray(array: xarray.DataArray) -> Field:
         coordinates are not real numbers, such as text, times or truth values.
     ValueError
         If the array has different dimensions, if its coordinates are missing or not evenly spaced and increasing, if a unit is not
-        a unit of length, if one coordinate has a unit and the other has none, or if the coordinates have units and the heights have
-        none.
+        a unit of length, if one coordinate has none and the unit of the other differs from that of the heights, or if the coordinates
+        have units and the heights have none.
     """
     if not all(hasattr(array, name) for name in ("dims", "attrs", "transpose")) or hasattr(array, "data_vars"):
         variables = [str(name) for name in getattr(array, "data_vars", ())]
@@ -210,13 +210,6 @@ def from_xarray(array: xarray.DataArray) -> Field:
                 "array.assign_coords(x=grid.x, y=grid.y), or create a Field by Field(grid, array)"
             )
     own, along = array.attrs.get("units"), [array[axis].attrs.get("units") for axis in ("x", "y")]
-    if along.count(None) == 1:
-        known, missing = ("x", "y") if along[1] is None else ("y", "x")
-        unit = along[0] or along[1]
-        raise ValueError(
-            f"the coordinates along {known} have the unit {unit}, but the coordinates along {missing} have none: "
-            f'set array["{missing}"].attrs["units"] = "{unit}"'
-        )
     if own is None and along != [None, None]:
         raise ValueError(
             f"the coordinates have the units {along[0]} along x and {along[1]} along y, but the heights have none: "
@@ -224,6 +217,14 @@ def from_xarray(array: xarray.DataArray) -> Field:
         )
     if own is not None:
         _factor(own, own)  # an unknown unit is rejected
+    if own is not None and along.count(None) == 1:
+        known, missing = ("x", "y") if along[1] is None else ("y", "x")
+        unit = along[0] or along[1]
+        if _factor(unit, own) != 1.0:
+            raise ValueError(
+                f"the coordinates along {known} have the unit {unit}, those along {missing} have none, and the heights have the unit "
+                f'{own}: set array["{missing}"].attrs["units"] = "{unit}"'
+            )
     sides = []
     for axis in ("x", "y"):
         centres = _real(array[axis], f"the coordinates along {axis}")
