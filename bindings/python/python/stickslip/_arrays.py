@@ -33,7 +33,7 @@ class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
         if self.grid is None or context is None or context[0] is not np.true_divide:
             return False
         divisor = context[1][1]
-        return isinstance(divisor, (float, np.floating)) and bool(abs(divisor / self.grid.cell_area - 1.0) < 1e-9)
+        return isinstance(divisor, (float, np.floating)) and abs(float(divisor) / self.grid.cell_area - 1.0) < 1e-9
 
     def __reduce__(self) -> tuple[Any, ...]:
         reduced: Any = super().__reduce__()

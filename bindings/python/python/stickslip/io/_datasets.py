@@ -219,7 +219,7 @@ def from_xarray(array: xarray.DataArray) -> Field:
         _factor(own, own)  # an unknown unit is rejected
     if own is not None and along.count(None) == 1:
         known, missing = ("x", "y") if along[1] is None else ("y", "x")
-        unit = along[0] or along[1]
+        unit = next(unit for unit in along if unit is not None)
         if _factor(unit, own) != 1.0:
             raise ValueError(
                 f"the coordinates along {known} have the unit {unit}, those along {missing} have none, and the heights have the unit "
