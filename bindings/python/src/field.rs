@@ -6,11 +6,12 @@ use numpy::IntoPyArray;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pyclass::CompareOp;
-use pyo3::types::{PyBool, PyDict, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyString, PyTuple};
 use stickslip::Error;
 
 use crate::argument::Object;
 use crate::array::{Array, mask, view};
+use crate::conversion::entries;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
@@ -27,8 +28,9 @@ use crate::xarray::only_first_operand;
 /// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
 /// ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
 /// either order, is computed cell by cell and is a field. A quotient by zero, and any other result that is not finite, issues the
-/// warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans. Two fields are compared as a whole by
-/// ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
+/// warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans, and so is a comparison by ``==`` or ``!=``
+/// with a number or an array. Two fields are compared as a whole by ``==`` and ``!=``, whose result is one truth value; compare
+/// their arrays for a result per cell. Fields have no hash. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
 /// different units raise an error. The axes of an array of xarray with the
 /// dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
 /// steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
@@ -113,6 +115,9 @@ impl Field {
     ) -> PyResult<Self> {
         samples.check_no_truth_value("samples")?;
         let unit = one_of([unit.map(known).transpose()?, samples.unit()?])?;
+        if unit.is_some() {
+            samples.check_no_energies("a field of lengths")?;
+        }
         let field = samples.only_on(py, "samples", grid.0)?;
         Ok(Self(field, unit))
     }
@@ -360,15 +365,19 @@ impl Field {
         other: &Bound<'py, PyAny>,
         comparison: CompareOp,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let is_equality = matches!(comparison, CompareOp::Eq | CompareOp::Ne);
+        if let (true, Ok(other)) = (is_equality, other.cast::<Self>()) {
+            let is_equal = self == other.get();
+            let is_wanted = matches!(comparison, CompareOp::Eq);
+            return Ok(PyBool::new(py, is_equal == is_wanted).to_owned().into_any());
+        }
+        if is_equality && !has_samples(other)? {
+            return Ok(py.NotImplemented().into_bound(py));
+        }
+        #[expect(clippy::float_cmp, reason = "the caller asks for equal numbers")]
         let compared: fn(f64, f64) -> bool = match comparison {
-            CompareOp::Eq | CompareOp::Ne => {
-                let Ok(other) = other.cast::<Self>() else {
-                    return Ok(py.NotImplemented().into_bound(py));
-                };
-                let is_equal = self == other.get();
-                let is_wanted = matches!(comparison, CompareOp::Eq);
-                return Ok(PyBool::new(py, is_equal == is_wanted).to_owned().into_any());
-            }
+            CompareOp::Eq => |own, other| own == other,
+            CompareOp::Ne => |own, other| own != other,
             CompareOp::Lt => |own, other| own < other,
             CompareOp::Le => |own, other| own <= other,
             CompareOp::Gt => |own, other| own > other,
@@ -444,6 +453,9 @@ impl Field {
         is_reflected: bool,
     ) -> PyResult<Self> {
         let unit = one_of([self.1.clone(), other.unit()?])?;
+        if unit.is_some() {
+            other.check_no_energies("the other operand of a field of lengths")?;
+        }
         let field = self.by_cell(py, other, operation, is_reflected)?;
         Ok(Self(field.0, unit))
     }
@@ -493,6 +505,16 @@ impl Field {
     fn beside(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
         other.only_on(py, "other field", self.0.grid())
     }
+}
+
+/// Returns whether a field is compared with an object cell by cell by ``==``: with a number, an array, a list or a tuple. Other
+/// objects, such as ``None`` or text, differ from each field.
+fn has_samples(object: &Bound<'_, PyAny>) -> PyResult<bool> {
+    if object.is_instance_of::<PyString>() || object.hasattr("heights")? {
+        return Ok(false);
+    }
+    let is_number = object.extract::<f64>().is_ok();
+    Ok(is_number || entries(object).is_some() || object.hasattr("__array__")?)
 }
 
 /// Returns an error unless a field is on the given grid.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
@@ -10,6 +11,7 @@ use crate::argument::{Object, argument};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::Grid;
+use crate::load::none_by_position;
 use crate::pickle::picklable;
 use crate::real::Real;
 use crate::samples::{Samples, Spread};
@@ -36,13 +38,17 @@ pub(crate) struct Friction(pub(crate) stickslip::Friction);
 #[pymethods]
 impl Friction {
     #[new]
-    #[pyo3(signature = (coefficient, *, max_shear_stress=None, grid=None))]
+    #[pyo3(signature = (coefficient, *positional, max_shear_stress=None, grid=None),
+        text_signature = "(coefficient, *, max_shear_stress=None, grid=None)")]
     fn new(
         py: Python<'_>,
         coefficient: Samples<'_>,
+        positional: &Bound<'_, PyTuple>,
         max_shear_stress: Option<Real>,
         grid: Option<Object<Grid>>,
     ) -> PyResult<Self> {
+        let words = "Friction takes arguments after the coefficient";
+        none_by_position(words, positional, "max_shear_stress= or grid=")?;
         let friction = coulomb(py, &coefficient, grid.as_deref())?;
         match max_shear_stress {
             None => Ok(Self(friction)),

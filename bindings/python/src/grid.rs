@@ -74,7 +74,7 @@ impl Grid {
     }
 
     /// Returns a line of ``n`` cells along x, each ``dx`` long and one unit of length wide. Forces are then per unit
-    /// length.
+    /// length. The argument ``dx`` is the side of a cell, and not of the grid as ``side`` of :meth:`square`.
     #[staticmethod]
     fn line(py: Python<'_>, n: Count, dx: Real) -> PyResult<Self> {
         stickslip::Grid::line(n.0, dx.0).or_raise(py).map(Self)

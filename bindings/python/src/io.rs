@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyTuple};
 use stickslip::io::{self, Sides};
 
 use crate::content::Content;
@@ -13,15 +13,21 @@ use crate::conversion;
 use crate::error::OrRaise;
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::load;
 use crate::real::{Count, Real};
 use crate::samples::Samples;
 use crate::unit::{Unit, factor, known, one_of};
+use crate::xyz_header::Stated;
 
 /// Returns the sides of a cell or of the grid, for files that do not state them.
 fn sides(
+    function: &str,
+    positional: &Bound<'_, PyTuple>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
 ) -> PyResult<Sides> {
+    let words = format!("io.{function} takes the sides");
+    load::none_by_position(&words, positional, "cell=(dx, dy) or size=(x, y)")?;
     match (cell, size) {
         (Some(cell), None) => Ok(Sides::OfCell(cell.0)),
         (None, Some(size)) => Ok(Sides::OfGrid(size.0)),
@@ -154,7 +160,7 @@ fn points(missing: Option<Real>, skip_rows: Count) -> io::xyz::Options {
 /// ------
 /// File, Format
 /// ValueError
-///     If a name is not a unit of length.
+///     If a name is not a unit of length, or if the header of the file states another unit, as ``# X[um] Y[um] Z[nm]``.
 /// TypeError
 ///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
@@ -169,6 +175,9 @@ pub(crate) fn xyz_read(
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
+    if let Some(unit) = unit {
+        Stated { unit, height_unit }.check_file(&path)?;
+    }
     let options = points(missing, skip_rows);
     py.detach(|| options.read(&path))
         .or_raise(py)
@@ -188,8 +197,11 @@ pub(crate) fn xyz_parse(
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
-    let options = points(missing, skip_rows);
     let bytes: &[u8] = &bytes;
+    if let Some(unit) = unit {
+        Stated { unit, height_unit }.check(bytes, "")?;
+    }
+    let options = points(missing, skip_rows);
     py.detach(|| options.parse(bytes))
         .or_raise(py)
         .map(|field| units.of_surface(field))
@@ -296,13 +308,14 @@ fn options(
 /// TypeError
 ///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
+#[pyo3(signature = (path, *positional, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
     without_labels=false, unit=None, height_unit=None),
     text_signature = "(path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, \
         unit=None, height_unit=None)")]
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
+    positional: &Bound<'_, PyTuple>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
@@ -313,7 +326,7 @@ pub(crate) fn csv_read(
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
-    let sides = sides(cell, size)?;
+    let sides = sides("csv.read", positional, cell, size)?;
     let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.read(&path, sides))
         .or_raise(py)
@@ -323,13 +336,14 @@ pub(crate) fn csv_read(
 /// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`. The bytes of a compressed file are
 /// ``gzip.open(path).read()``.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
+#[pyo3(signature = (bytes, *positional, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
     without_labels=false, unit=None, height_unit=None),
     text_signature = "(bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, \
         unit=None, height_unit=None)")]
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: Content<'_>,
+    positional: &Bound<'_, PyTuple>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
@@ -340,7 +354,7 @@ pub(crate) fn csv_parse(
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
-    let sides = sides(cell, size)?;
+    let sides = sides("csv.parse", positional, cell, size)?;
     let options = options(missing, skip_rows, skip_columns, without_labels);
     let bytes: &[u8] = &bytes;
     py.detach(|| options.parse(bytes, sides))
@@ -395,11 +409,12 @@ fn array_options(missing: Option<Real>) -> io::npy::Options {
 /// TypeError
 ///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, missing=None, unit=None, height_unit=None),
+#[pyo3(signature = (path, *positional, cell=None, size=None, missing=None, unit=None, height_unit=None),
     text_signature = "(path, *, cell=None, size=None, missing=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_read(
     py: Python<'_>,
     path: PathBuf,
+    positional: &Bound<'_, PyTuple>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
@@ -407,7 +422,7 @@ pub(crate) fn npy_read(
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
-    let sides = sides(cell, size)?;
+    let sides = sides("npy.read", positional, cell, size)?;
     let options = array_options(missing);
     py.detach(|| options.read(&path, sides))
         .or_raise(py)
@@ -416,11 +431,12 @@ pub(crate) fn npy_read(
 
 /// Reads a field from the bytes of an NPY file; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, unit=None, height_unit=None),
+#[pyo3(signature = (bytes, *positional, cell=None, size=None, missing=None, unit=None, height_unit=None),
     text_signature = "(bytes, *, cell=None, size=None, missing=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_parse(
     py: Python<'_>,
     bytes: Content<'_>,
+    positional: &Bound<'_, PyTuple>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
@@ -428,7 +444,7 @@ pub(crate) fn npy_parse(
     height_unit: Option<&str>,
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
-    let sides = sides(cell, size)?;
+    let sides = sides("npy.parse", positional, cell, size)?;
     let options = array_options(missing);
     let bytes: &[u8] = &bytes;
     py.detach(|| options.parse(bytes, sides))
@@ -438,14 +454,16 @@ pub(crate) fn npy_parse(
 
 /// Returns the grid of an NPY file without reading its samples.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None))]
+#[pyo3(signature = (path, *positional, cell=None, size=None),
+    text_signature = "(path, *, cell=None, size=None)")]
 pub(crate) fn npy_grid(
     py: Python<'_>,
     path: PathBuf,
+    positional: &Bound<'_, PyTuple>,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
 ) -> PyResult<Grid> {
-    io::npy::grid(&path, sides(cell, size)?)
+    io::npy::grid(&path, sides("npy.grid", positional, cell, size)?)
         .or_raise(py)
         .map(Grid)
 }

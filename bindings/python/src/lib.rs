@@ -52,6 +52,7 @@ mod tangential;
 mod unit;
 mod work;
 mod xarray;
+mod xyz_header;
 
 use pyo3::prelude::*;
 

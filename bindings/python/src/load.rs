@@ -78,12 +78,22 @@ loads! {
 
 /// Returns an error if a load is given by position, with the keywords of loads.
 pub(crate) fn by_keyword(class: &str, given: &Bound<'_, PyTuple>, keywords: &str) -> PyResult<()> {
+    none_by_position(&format!("{class} takes its load"), given, keywords)
+}
+
+/// Returns an error if arguments are given by position that are accepted by keyword only. The first words name the function and
+/// the argument.
+pub(crate) fn none_by_position(
+    words: &str,
+    given: &Bound<'_, PyTuple>,
+    keywords: &str,
+) -> PyResult<()> {
     if given.is_empty() {
         return Ok(());
     }
     let found = given.get_item(0)?;
     Err(PyTypeError::new_err(format!(
-        "{class} takes its load by keyword, got {} by position: give {keywords}",
+        "{words} by keyword, got {} by position: give {keywords}",
         found.repr()?
     )))
 }

@@ -100,8 +100,27 @@ pub(crate) fn is_no_truth_value(object: &Bound<'_, PyAny>, quantity: &str) -> Py
     }
 }
 
-/// Returns `Ok` unless an object contains complex numbers, text or times.
+/// Returns whether an object is an array of numbers of half precision.
+fn is_half_precision(object: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let Some(array) = as_array(object) else {
+        return Ok(false);
+    };
+    let dtype = array.getattr("dtype")?;
+    let (kind, size): (String, usize) = (
+        dtype.getattr("kind")?.extract()?,
+        dtype.getattr("itemsize")?.extract()?,
+    );
+    let dimensions: usize = array.getattr("ndim")?.extract()?;
+    Ok(kind == "f" && size == 2 && dimensions > 0)
+}
+
+/// Returns `Ok` unless an object contains complex numbers, text or times, or has numbers of half precision.
 pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    if is_half_precision(object)? {
+        return Err(PyTypeError::new_err(format!(
+            "the type float16 of {quantity} has three digits: give array.astype(float) if this is intended"
+        )));
+    }
     match unreal(object)? {
         None => Ok(()),
         Some(found) => Err(PyTypeError::new_err(format!(

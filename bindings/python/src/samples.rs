@@ -144,7 +144,19 @@ impl Samples<'_> {
             return Err(wrong_type(py, quantity, &message));
         }
         is_no_mask(&self.0, quantity)?;
+        self.check_no_energies(quantity)?;
         self.on(py, quantity, grid)
+    }
+
+    /// Returns an error for an array of the energies of cells where lengths or pressures are expected.
+    pub(crate) fn check_no_energies(&self, quantity: &str) -> PyResult<()> {
+        match self.own_grid() {
+            None => Ok(()),
+            Some(_) => Err(PyTypeError::new_err(format!(
+                "{quantity} contains energies of cells: convert them to a depth by wear.energy(coefficient, cycle.dissipation), \
+                 or divide them by grid.cell_area"
+            ))),
+        }
     }
 
     /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number and an array of one number

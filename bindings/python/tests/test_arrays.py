@@ -3,6 +3,7 @@
 import gc
 import subprocess
 import sys
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -242,7 +243,7 @@ def test_field_powers_and_comparisons_are_cell_by_cell(scene):
             (field >= other, values >= plain),
         ]:  # fmt: skip
             assert ours.dtype == bool and np.array_equal(ours, expected)
-    assert (field == field) is True and (field != field) is False and field != field + 1.0 and not field == 0
+    assert (field == field) is True and (field != field) is False and field != field + 1.0
     with pytest.raises(ss.errors.GridMismatch):
         field < ss.Field(ss.Grid.square(64, 1.0), 1.0)
     with pytest.raises(ValueError, match="units um and nm"):
@@ -658,3 +659,53 @@ def test_closed_forms_accept_numbers_and_arrays(scene):
         exact.slip(np.zeros(3), np.zeros(4))
     assert 0.0 < ss.analytical.SpencePressing.round(ss.ElasticPair(ss.Material(1.0, 0.0), ss.Material.rigid()), 0.3).stick_radius < 1.0
     assert ss.analytical.linear_stick_ratio(load=100.0, friction=0.5, force=20.0) == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize("number", [2.0, 2, np.float64(2.0), np.float32(2.0), np.array(2.0), Fraction(2)])
+def test_equality_with_a_number_is_compared_cell_by_cell(number):
+    grid = ss.Grid(3, 2, 1.0, 1.0)
+    field = ss.Field(grid, np.arange(6.0).reshape(2, 3), "um")
+    expected = field.array == 2.0
+    assert expected.sum() == 1
+    for equal, unequal in ((field == number, field != number), (number == field, number != field)):
+        assert equal.dtype == unequal.dtype == bool
+        assert np.array_equal(equal, expected) and np.array_equal(unequal, ~expected)
+
+
+def test_equality_with_an_array_is_compared_cell_by_cell():
+    grid = ss.Grid(3, 2, 1.0, 1.0)
+    samples = np.array([[0.0, 1.0, 2.0], [3.0, np.nan, 5.0]])
+    field = ss.Field(grid, samples)
+    for other in (samples, samples.tolist(), tuple(map(tuple, samples))):
+        assert np.array_equal(field == other, [[True] * 3, [True, False, True]])
+        assert np.array_equal(field != other, [[False] * 3, [False, True, False]])
+    with pytest.raises(ss.errors.Shape):
+        field == np.zeros((3, 2))
+
+
+def test_equality_of_two_fields_is_one_truth_value_and_fields_have_no_hash():
+    grid = ss.Grid(3, 2, 1.0, 1.0)
+    field, other = ss.Field(grid, 1.0), ss.Field(grid, 2.0)
+    assert (field == ss.Field(grid, 1.0)) is True and (field == other) is False and (field != other) is True
+    for stranger in (None, "1.0", np.str_("1.0"), object(), ss.surface.SelfAffine(rms_height=1.0, seed=1).generate(ss.Grid.square(8, 1.0))):
+        assert (field == stranger) is False and (field != stranger) is True
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(field)
+
+
+def test_samples_of_half_precision_are_rejected(scene):
+    heights = np.asarray(scene.ball).astype(np.float16)
+    message = r"the type float16 of {} has three digits: give array\.astype\(float\) if this is intended"
+    for quantity, call in (
+        ("samples", lambda: ss.Field(scene.grid, heights)),
+        ("gap", lambda: ss.NormalProblem(scene.bodies, heights, force=1.0)),
+        ("coefficient of friction", lambda: ss.Friction(heights, grid=scene.grid)),
+    ):
+        with pytest.raises(TypeError, match=message.format(quantity)):
+            call()
+    xarray = pytest.importorskip("xarray")
+    array = xarray.DataArray(heights, dims=("y", "x"), coords={"y": scene.grid.y, "x": scene.grid.x})
+    with pytest.raises(TypeError, match=message.format("the heights")):
+        ss.io.from_xarray(array)
+    assert ss.Field(scene.grid, np.float16(0.5)).max() == 0.5
+    assert ss.Field(scene.grid, heights.astype(float)) is not None

@@ -889,3 +889,26 @@ def test_shear_does_not_repeat_warnings_of_its_normal_contact(scene):
         is_solved = make(contact).__getnewargs_ex__()[0][1] is contact
         assert messages == [message for message in all_messages if not (is_solved and message in pressing)]
         assert set(pressing) & set(all_messages)
+
+
+@pytest.mark.parametrize(
+    ("message", "call"),
+    [
+        (r"io\.csv\.read takes the sides by keyword, got Grid\(.* give cell=\(dx, dy\)", lambda scene: ss.io.csv.read("a.csv", scene.grid)),
+        (r"io\.csv\.parse takes the sides by keyword", lambda scene: ss.io.csv.parse(b"1 2\n3 4\n", (1.0, 1.0))),
+        (r"io\.npy\.read takes the sides by keyword", lambda scene: ss.io.npy.read("a.npy", scene.grid)),
+        (r"io\.npy\.parse takes the sides by keyword", lambda scene: ss.io.npy.parse(b"", scene.grid)),
+        (r"io\.npy\.grid takes the sides by keyword", lambda scene: ss.io.npy.grid("a.npy", scene.grid)),
+        (r"Friction takes arguments .* got 400000000.0 by position: give max_shear_stress=",
+            lambda scene: ss.Friction(0.5, 400e6)),
+        (r"NormalSolver\.solve takes its load by keyword, got 50\.0 by position: give force= or approach=", lambda scene: presser(scene).solve(50.0)),
+        (r"NormalSolver\.set_load takes its load by keyword, got 50\.0 by position", lambda scene: presser(scene).set_load(50.0)),
+    ],
+)  # fmt: skip
+def test_arguments_by_position_name_their_keywords(scene, message, call):
+    with pytest.raises(TypeError, match=message):
+        call(scene)
+
+
+def presser(scene):
+    return ss.NormalSolver(scene.bodies, scene.ball, force=10.0)

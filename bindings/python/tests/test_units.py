@@ -187,3 +187,102 @@ def test_dataset_of_a_history_has_the_unit_of_its_lengths(scene):
 def test_object_without_heights_is_no_topography():
     with pytest.raises(ss.errors.ArgumentType, match=r"topography must have heights\(\) and physical_sizes, .* ndarray: create a Field"):
         ss.surface.from_topography(np.zeros((4, 4)))
+
+
+def test_normal_solution_has_the_unit_of_its_gap(scene):
+    in_mm = gap(scene, "mm")
+    problem = ss.NormalProblem(scene.bodies, in_mm, force=FORCE)
+    solver = problem.solver()
+    history = ss.History(scene.bodies, in_mm, 0.5)
+    history.step(normal_force=FORCE)
+    for solution in (problem.solve(), solver.solve(), history.normal, history.state().normal):
+        assert solution.unit == "mm" and pickle.loads(pickle.dumps(solution)).unit == "mm"
+    with pytest.raises(ss.errors.NotConverged) as caught:
+        ss.NormalProblem(scene.bodies, in_mm, force=FORCE, tolerance=1e-9).solve(progress=lambda iteration: False)
+    assert caught.value.last_iterate.unit == "mm"
+    plain = scene.normal()
+    assert plain.unit is None and plain == problem.solve()
+    assert problem.solve() != ss.NormalProblem(scene.bodies, gap(scene, "um"), force=FORCE).solve()
+    unknown = ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
+    assert unknown.solve().unit is None and unknown.solve(gap=in_mm).unit == "mm"
+
+
+def test_relative_displacement_in_another_unit_than_the_normal_solution_is_rejected(scene):
+    normal = ss.NormalProblem(scene.bodies, gap(scene, "mm"), force=FORCE).solve()
+    message = RELATIVE.format("the gap of the normal solution")
+    with pytest.raises(ValueError, match=message):
+        ss.TangentialProblem(scene.bodies, normal, 0.5, relative_displacement=pattern(scene, "um"))
+    solver = ss.TangentialProblem(scene.bodies, normal, 0.5, relative_displacement=pattern(scene, None)).solver()
+    with pytest.raises(ValueError, match=message):
+        solver.set_relative_displacement(pattern(scene, "um"))
+    solver.set_relative_displacement(pattern(scene, "mm"))
+    with pytest.raises(ValueError, match="gap has the unit um, but the last gap had the unit mm"):
+        solver.set_pressure(ss.NormalProblem(scene.bodies, gap(scene, "um"), force=FORCE).solve())
+    solver.set_pressure(scene.normal())
+    later = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, relative_displacement=pattern(scene, "um")).solver()
+    with pytest.raises(ValueError, match=message):
+        later.set_pressure(normal)
+
+
+def test_rolling_solver_rejects_gaps_in_another_unit(scene):
+    def presser(unit):
+        return ss.NormalSolver(scene.bodies, gap(scene, unit), force=FORCE)
+
+    solver = ss.rolling.RollingProblem(scene.bodies, presser("mm").solve(), 0.3, creepage_x=1e-4).solver()
+    for change in (lambda: solver.set_normal_solver(presser("um")), lambda: solver.set_pressure(presser("um").solve())):
+        with pytest.raises(ValueError, match="gap has the unit um, but the last gap had the unit mm"):
+            change()
+    solver.set_normal_solver(presser("mm"))
+    solver.set_pressure(presser(None).solve())
+
+
+def test_plot_and_dataset_of_a_normal_solution_have_the_unit_of_its_gap(scene):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pytest.importorskip("xarray")
+    normal = ss.NormalProblem(scene.bodies, gap(scene, "m"), force=FORCE).solve()
+    for solution, factor in ((normal, 1e6), (scene.normal(), 1.0)):
+        axes = ss.plot.pressure_map(solution, length_unit="um")
+        assert axes.get_xlim() == pytest.approx([factor * edge for edge in scene.grid.extent[:2]])
+    pyplot.close("all")
+    dataset = ss.io.to_xarray(normal)
+    assert dataset.gap.attrs["units"] == dataset.x.attrs["units"] == "m" and "units" not in dataset.pressure.attrs
+
+
+def test_unit_of_one_coordinate_alone_is_rejected():
+    xarray = pytest.importorskip("xarray")
+    along = np.arange(4) + 0.5
+    for known, missing in (("x", "y"), ("y", "x")):
+        coordinates = {known: (known, along, {"units": "um"}), missing: (missing, along)}
+        array = xarray.DataArray(np.zeros((4, 4)), dims=("y", "x"), coords=coordinates, attrs={"units": "nm"})
+        message = f'along {known} have the unit um, those along {missing} have none, and the heights have the unit nm: set array."{missing}'
+        with pytest.raises(ValueError, match=message):
+            ss.io.from_xarray(array)
+        assert ss.io.from_xarray(array.assign_attrs(units="um")).grid == ss.Grid(4, 4, 1.0, 1.0)
+
+
+POINTS = "".join(f"{x + 0.5} {y + 0.5} {x * y}\n" for y in range(4) for x in range(4))
+
+
+@pytest.mark.parametrize(
+    ("header", "units", "message"),
+    [
+        ("# X[um] Y[um] Z[nm]", {"unit": "um"}, 'line 1: the header states the unit nm of Z, but the argument unit is um: give height_unit="nm"'),
+        ("# X[um] Y[um] Z[nm]", {"unit": "mm"}, 'the unit um of X, but the argument unit is mm: give unit="um"'),
+        ("# sample\n# X (\u00b5m), Y (\u00b5m), Z (nm)", {"unit": "um", "height_unit": "mm"}, 'line 2: .* of Z, but the argument height_unit is mm'),
+        ("# y [mm] z [um]", {"unit": "um"}, 'the unit mm of Y, but the argument unit is um: give unit="mm"'),
+    ],
+)
+def test_header_of_points_that_contradicts_the_unit_is_rejected(tmp_path, header, units, message):
+    path, text = tmp_path / "points.xyz", f"{header}\n{POINTS}"
+    path.write_text(text, encoding="utf-8")
+    for read in (lambda: ss.io.xyz.read(path, **units), lambda: ss.io.xyz.parse(text.encode(), **units)):
+        with pytest.raises(ValueError, match=message):
+            read()
+    assert ss.io.xyz.read(path).unit is None
+
+
+def test_header_of_points_that_agrees_with_the_unit_is_accepted():
+    header = b"# X[um] Y[um] Z[nm]\n"
+    assert ss.io.xyz.parse(header + POINTS.encode(), unit="\u00b5m", height_unit="nm").max() == pytest.approx(9e-3)
+    for other in (b"# X[px] Y[px] Z[a.u.]\n", b"# max[nm] X Y Z\n", b""):
+        assert ss.io.xyz.parse(other + POINTS.encode(), unit="um").unit == "um"

@@ -177,7 +177,8 @@ def test_complete_run_continues_with_more_cycles():
     assert [snapshot.cycles for snapshot in first.snapshots] == [400, 800]
     rest = ss.wear.run(worn, loop(), LAW, 1500, resume=first.snapshot, largest_jump=100)
     assert list(rest.history.cycles) == list(range(0, 1501, 100))
-    from_middle = ss.wear.run(worn, loop(), LAW, 1000, resume=first.snapshots[0], largest_jump=100)
+    middle = first.snapshots[0]
+    from_middle = ss.wear.run(middle.restored(BODIES), loop(), LAW, 1000, resume=middle, largest_jump=100)
     assert np.array_equal(from_middle.depth, first.depth)
 
 
@@ -245,17 +246,17 @@ def test_snapshot_resumes_with_its_law_and_loop_only():
     assert worn.to_bytes() == before
     # Limits are choices of a run.
     rest = ss.wear.run(worn, loop(), ss.wear.EnergyLaw(np.float64(COEFFICIENT)), 200, resume=first.snapshot, settling=5)
-    assert rest.cycles == 200 and ss.wear.run(worn, loop(), LAW, 200, resume=rest.snapshot).cycles == 200
+    assert rest.cycles == 200
     by_name = ss.wear.run(history(), loop(), per_cell, 50)
     assert by_name.snapshot.law == f"{__name__}.per_cell"
 
 
 def test_history_that_differs_from_snapshot_is_rejected():
     snapshot = ss.wear.run(history(), loop(), LAW, 100).snapshot
-    others = {"friction": history(), "settings": history(), "hardness": None, "axis": None}
+    others = {"friction": history(), "settings": history(), "hardness": None, "model": None}
     others["friction"].set_friction(0.2)
     others["settings"].settings = ss.Settings(tolerance=1e-7)
-    for name, argument in (("hardness", {"hardness": 5e9}), ("axis", {"axis": "y"})):
+    for name, argument in (("hardness", {"hardness": 5e9}), ("model", {"axis": "y"})):
         others[name] = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5, tolerance=1e-6, **argument)
     for name, other in others.items():
         before = other.to_bytes()

@@ -180,7 +180,7 @@ def test_law_of_user_receives_energy_of_cycles_jumped_over():
 def test_depth_that_decreases_with_cycles_is_rejected():
     class Healing:
         def depth_of_jump(self, history, cycle, dissipation, cycles):
-            return cycle.dissipation / cycles
+            return np.asarray(cycle.dissipation) / cycles
 
     worn = history()
     before = worn.to_bytes()

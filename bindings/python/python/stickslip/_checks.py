@@ -36,6 +36,10 @@ def check_whole(name: str, value: object, smallest: int, remedy: str = "") -> No
         error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
         error.argument = name
         raise error
+    if not value <= 2**53:
+        error = ArgumentRange(f"{name} must be at most 2**53, got {value}")
+        error.argument = name
+        raise error
 
 
 def path_of(path: object) -> str:

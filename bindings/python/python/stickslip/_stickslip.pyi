@@ -2381,8 +2381,9 @@ class Field:
     and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
     ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
     either order, is computed cell by cell and is a field. A quotient by zero, and any other result that is not finite, issues the
-    warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans. Two fields are compared as a whole by
-    ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
+    warning of NumPy. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of booleans, and so is a comparison by ``==`` or ``!=``
+    with a number or an array. Two fields are compared as a whole by ``==`` and ``!=``, whose result is one truth value; compare
+    their arrays for a result per cell. Fields have no hash. Other NumPy functions, such as ``numpy.maximum``, treat a field as its array: their result has no unit, and fields of
     different units raise an error. The axes of an array of xarray with the
     dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
     steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
@@ -2445,7 +2446,7 @@ class Field:
         """
         Implements NumPy functions with a field among their operands. Fields of different units are rejected, as in arithmetic.
         """
-    def __eq__(self, value: object, /) -> bool: ...
+    def __eq__(self, value: object, /) -> Any: ...
     def __ge__(self, value: object, /) -> NDArray[bool_]: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
@@ -2455,7 +2456,7 @@ class Field:
     def __le__(self, value: object, /) -> NDArray[bool_]: ...
     def __lt__(self, value: object, /) -> NDArray[bool_]: ...
     def __mul__(self, other: object, /) -> Field: ...
-    def __ne__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> Any: ...
     def __neg__(self, /) -> Field: ...
     def __new__(cls, /, grid: Grid, samples: Field | ArrayLike, unit: str | None = None) -> Field: ...
     def __pos__(self, /) -> Field: ...
@@ -2888,7 +2889,7 @@ class Grid:
     def line(n: int, dx: float) -> Grid:
         """
         Returns a line of ``n`` cells along x, each ``dx`` long and one unit of length wide. Forces are then per unit
-        length.
+        length. The argument ``dx`` is the side of a cell, and not of the grid as ``side`` of :meth:`square`.
         """
     @property
     def nx(self, /) -> int:
@@ -4260,7 +4261,8 @@ class LoadPath:
     def ellipse(amplitudes: Sequence[float] | NDArray[Any], phase: float, steps: int) -> LoadPath:
         """
         Returns a path around an ellipse with the amplitudes (A_x, A_y): A_x sin(2 pi t) along x and A_y sin(2 pi t +
-        phase) along y, with the phase in radians. The number of steps must be a multiple of four.
+        phase) along y, with the phase in radians. The number of steps must be a multiple of four. Each amplitude is half of
+        the stroke along its axis (zero to peak).
         """
     @property
     def end(self, /) -> tuple[float, float]:
@@ -4272,7 +4274,7 @@ class LoadPath:
         """
         Returns a sinusoidal path along a line: the amplitude (x, y) times sin(2 pi t). The path goes from zero to the
         amplitude, to its negative, and back to zero. The number of steps must be a multiple of four. A path along x has
-        the amplitude (a, 0).
+        the amplitude (a, 0). The amplitude is half of the stroke (zero to peak).
         """
     @property
     def steps(self, /) -> NDArray[float64]:
@@ -4282,7 +4284,8 @@ class LoadPath:
     @staticmethod
     def triangle(amplitude: Sequence[float] | NDArray[Any], steps: int) -> LoadPath:
         """
-        Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four.
+        Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four. The
+        amplitude is half of the stroke (zero to peak).
         """
 
 @final
@@ -5027,7 +5030,7 @@ class NormalProblem:
 class NormalSolution:
     """
     Pressure, gap and approach of a normal contact. Arrays are read-only views of the memory of this object. Two objects
-    are equal if their solutions are equal, even if the iterations differed.
+    are equal if their solutions are equal and their units do not differ, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -5156,6 +5159,12 @@ class NormalSolution:
     def warnings(self, /) -> list[Warning]:
         """
         Warnings about a result that might mislead; empty if there are none.
+        """
+    @property
+    def unit(self, /) -> str | None:
+        """
+        Unit of the gap from which the solution was computed; ``None`` if it is not known, as in the parts of coupled and adaptive
+        solutions.
         """
     @property
     def yielded_cells(self, /) -> int:
@@ -6338,6 +6347,8 @@ class RollingSolver:
         Raises
         ------
         GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
+        ValueError
+            If the unit of its gap differs from that of the earlier gaps.
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
@@ -6349,6 +6360,8 @@ class RollingSolver:
         UnsupportedByModel, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
         GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
             The pressure is unchanged after an exception.
+        ValueError
+            If the unit of its gap differs from that of the earlier gaps.
         """
     @property
     def settings(self, /) -> Settings:
@@ -7566,6 +7579,8 @@ class TangentialProblem:
     ------
     NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, UnsupportedByModel,
     NotFinite, EmptyContact, BeyondFrictionCapacity, Tolerance, IterationLimit
+    ValueError
+        If the units of the gap of the normal solution and of the relative displacement differ.
 
     Examples
     --------
@@ -7822,6 +7837,11 @@ class TangentialSolver:
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
         Sets the pressure of the next solve.
+
+        Raises
+        ------
+        ValueError
+            If the unit of its gap differs from that of the earlier gaps or of the relative displacement.
         """
     def set_relative_displacement(self, /, relative: RelativeDisplacement) -> None:
         """
@@ -7831,7 +7851,7 @@ class TangentialSolver:
         ------
         GridMismatch
         ValueError
-            If its unit differs from that of the earlier relative displacements.
+            If its unit differs from that of the earlier relative displacements or of the gap of the normal solution.
         """
     @property
     def settings(self, /) -> Settings:
@@ -9025,7 +9045,7 @@ def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_ro
     ------
     File, Format
     ValueError
-        If a name is not a unit of length.
+        If a name is not a unit of length, or if the header of the file states another unit, as ``# X[um] Y[um] Z[nm]``.
     TypeError
         If ``height_unit`` is given without ``unit``.
     """

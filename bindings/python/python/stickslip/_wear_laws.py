@@ -10,7 +10,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import read_only
+from ._arrays import CellEnergies, read_only
 from ._stickslip import Cycle, CycleJump, Field, Grid, History, archard, energy, max_stable_cycles, threshold_energy
 from .errors import NoWholeCycle, Shape
 
@@ -217,6 +217,11 @@ def _check_numbers(coefficient: ArrayLike, threshold: float = 0.0) -> None:
 
 def _checked(given: ArrayLike, history: History) -> NDArray[Any]:
     """Returns the depth that a wear law returned, an array of the shape of the grid."""
+    if isinstance(given, CellEnergies):
+        raise TypeError(
+            "the wear law must return depths, got energies of cells: return wear.energy(coefficient, cycle.dissipation), or divide "
+            "by history.grid.cell_area"
+        )
     # A field reads the axes of labelled arrays, and rejects a field on a different grid or in another unit than the gap.
     is_labelled = hasattr(given, "dims") or hasattr(given, "columns") or isinstance(given, Field)
     depth = np.asarray(Field(history.grid, given, history.unit) if is_labelled else given, dtype=float)

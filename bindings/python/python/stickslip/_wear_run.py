@@ -23,8 +23,9 @@ from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
 from ._stickslip import Cycle, Field, HalfSpace, History, State
 from ._tables import to_frame
+from ._wear_resume import check_contact, check_resume
 from ._wear_laws import CycleWear, JumpLaw, JumpWear, Limits, digest, law_in_words
-from .errors import ArgumentRange, EmptyContact, File, Format, SnapshotMismatch, StickslipError
+from .errors import ArgumentRange, File, Format, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
@@ -308,7 +309,8 @@ def run(
         A law that depends on the energy dissipated before, such as :class:`ThresholdEnergyLaw`, is a :class:`JumpLaw` instead.
         See the notes for the properties of the history that a law must not use.
     cycles : int
-        Total number of cycles, including the cycles of ``resume``, whose number must not be larger.
+        Total number of cycles, at most 2**53. It counts from the first cycle and includes the cycles of ``resume``, whose number
+        must not be larger. With an equal number, the run adds no cycle and issues a warning.
     max_depth : float, optional
         The run ends when the largest depth removed since the start has reached this value (a length). The last jump is
         shortened to whole cycles, and exceeds the value by less than the depth of one cycle.
@@ -331,9 +333,11 @@ def run(
         ``True`` shows a progress bar of the cycles (requires tqdm).
     resume : WearSnapshot, optional
         A snapshot from which the run continues. The state of the history is replaced by that of the snapshot. The law and the
-        steps of the loop must be those of the snapshot. Friction, settings, hardness and axis of the history must be those of
-        the snapshot too; ``resume.restored(bodies)`` is such a history. The limits, such as ``largest_depth`` and ``settling``, may differ.
-        Laws other than the three laws of this module are compared by their names only.
+        steps of the loop must be those of the snapshot. Bodies, model, coupling, friction, settings, hardness, entry rule,
+        permanent set and pattern of relative displacement of the history must be those of the snapshot too. Its gap must be the
+        gap of the snapshot, with or without the depth removed before. ``resume.restored(bodies)`` is such a history. The limits,
+        such as ``largest_depth`` and ``settling``, may differ. Laws other than the three laws of this module are compared by
+        their names only. Patterns are compared only if both displacements are not zero.
 
     Returns
     -------
@@ -353,10 +357,12 @@ def run(
         If the load of the loop is equal for different values of its path.
     Shape
         If the law does not return an array of shape (ny, nx).
+    TypeError
+        If the law returns energies, such as ``1e-13 * cycle.dissipation``, which lacks the division by the cell area.
     ValueError
         If the depth of a :class:`JumpLaw` decreases with the number of cycles.
     SnapshotMismatch
-        If the law, the steps of the loop, or friction, settings, hardness or axis of the history differ from those of the
+        If the law, the steps of the loop, or a property of the history that is listed at ``resume`` differs from that of the
         snapshot.
     CycleNotClosed
         If no cycle closed among the cycles computed on a gap.
@@ -411,12 +417,12 @@ def run(
     loop._check_loads()
     given = {"law": law_in_words(law), "loop": _loop_in_words(loop)}
     if resume is None:
-        _check_contact(history.contact)
+        check_contact(history.contact)
         done, rows, total_energy = 0, [], 0.0
         depth, dissipation = np.zeros(history.grid.shape), np.zeros(history.grid.shape)
         counts: dict[str, Any] = {**given, "first_step": history.steps}
     else:
-        _check_resume(resume, cycles, given, history)
+        check_resume(resume, cycles, given, history)
         history.set_state(resume.state)
         done, rows, total_energy = resume.cycles, list(resume.rows), resume.dissipated_energy
         depth, dissipation = resume.depth.copy(), resume.dissipation.copy()
@@ -514,46 +520,6 @@ def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every:
     least |= {name: (value, 1) for name, value in optional.items() if value is not None}
     for name, (value, smallest) in least.items():
         check_whole(name, value, smallest)
-
-
-def _check_contact(contact: NDArray[Any]) -> None:
-    if not contact.any():
-        raise EmptyContact("the history is not in contact: press it by a step with a normal load before the run")
-
-
-def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str], history: History) -> None:
-    if cycles < resume.cycles:
-        range_error = ArgumentRange(
-            f"cycles must be at least {resume.cycles}, the number of cycles of the snapshot, got {cycles}"
-        )
-        range_error.argument = "cycles"
-        raise range_error
-    for name, found in given.items():
-        expected = getattr(resume, name)
-        if found != expected:
-            # The words agree up to the digest if other steps differ, or digits that are not shown.
-            is_hidden = expected.split(" (digest")[0] == found.split(" (digest")[0]
-            hidden = " (the difference is in other steps, or in digits that are not shown)" if is_hidden else ""
-            mismatch = SnapshotMismatch(
-                f"the {name} of the snapshot is {expected}, got {found}{hidden}: "
-                f"resume with the same {name}, or start a new run from resume.restored(bodies)"
-            )
-            mismatch.argument = name
-            raise mismatch
-    state = history.state()
-    for name in ("axis", "friction", "hardness", "settings"):
-        kept, own = getattr(resume.state, name), getattr(state, name)
-        if kept != own:
-            shown = f"is {kept!r}, that of the history is {own!r}"
-            if repr(kept) == repr(own):
-                shown = f"{kept!r} differs from that of the history"
-            mismatch = SnapshotMismatch(
-                f"the {name} of the snapshot {shown}: resume with resume.restored(bodies) as history, "
-                "or start a new run from it after the change"
-            )
-            mismatch.argument = name
-            raise mismatch
-    _check_contact(resume.state.contact)
 
 
 def _loop_in_words(loop: FrettingLoop) -> str:

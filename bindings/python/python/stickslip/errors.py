@@ -589,7 +589,8 @@ class SnapshotMismatch(StickslipError, ValueError):
     """A run of wear resumes with another law, loop or history than the run of its snapshot."""
 
     argument: str
-    """The quantity that differs: law, loop, axis, friction, hardness or settings."""
+    """The quantity that differs: grid, boundary, pair, model, law, loop, coupling, friction, hardness, settings, entry_rule,
+    permanent_set, relative_displacement or gap."""
 
 
 class CycleNotClosed(StickslipError):

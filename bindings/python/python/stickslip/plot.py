@@ -6,8 +6,9 @@ column of cells, such as the grid of a line contact, is drawn as a profile: a li
 
 The package does not prescribe units and only appends the given units to the labels. ``length_unit`` is the unit of
 coordinates and shifts after multiplication by ``scale`` (1e3 shows metres as millimetres). ``unit`` is the unit of the
-drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``. Without a factor, lengths of a Field or a
-history with a unit are converted into the unit of the label.
+drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``. Without a factor, lengths of a Field, a
+history or a normal solution with a unit are converted into the unit of the label. Lengths of objects without a unit are not
+converted: ``length_unit`` is then a name only, and requires the factor ``scale``.
 
 Colour bars of values without sign, such as pressure, start at zero. Values with both signs have colours with zero in the
 middle. The options ``cmap``, ``vmin``, ``vmax`` and ``norm`` replace these defaults.

@@ -86,7 +86,9 @@ impl History {
     /// The normal solution, a copy.
     #[getter]
     fn normal(&self) -> PyResult<NormalSolution> {
-        self.read(|history| Arc::new(history.normal().clone()).into())
+        let work = lock(&self.work, NAME)?;
+        let solution = Arc::new(work.history.normal().clone());
+        Ok(NormalSolution::of(solution, work.unit.clone()))
     }
 
     /// Pressure, not negative; exactly zero outside the contact. A read-only copy.

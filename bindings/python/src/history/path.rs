@@ -48,20 +48,22 @@ impl LoadPath {
 
     /// Returns a sinusoidal path along a line: the amplitude (x, y) times sin(2 pi t). The path goes from zero to the
     /// amplitude, to its negative, and back to zero. The number of steps must be a multiple of four. A path along x has
-    /// the amplitude (a, 0).
+    /// the amplitude (a, 0). The amplitude is half of the stroke (zero to peak).
     #[staticmethod]
     fn sine(py: Python<'_>, amplitude: conversion::Amplitude, steps: Count) -> PyResult<Self> {
         Path::sine(amplitude.0, steps.0).or_raise(py).map(Self)
     }
 
-    /// Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four.
+    /// Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four. The
+    /// amplitude is half of the stroke (zero to peak).
     #[staticmethod]
     fn triangle(py: Python<'_>, amplitude: conversion::Amplitude, steps: Count) -> PyResult<Self> {
         Path::triangle(amplitude.0, steps.0).or_raise(py).map(Self)
     }
 
     /// Returns a path around an ellipse with the amplitudes (A_x, A_y): A_x sin(2 pi t) along x and A_y sin(2 pi t +
-    /// phase) along y, with the phase in radians. The number of steps must be a multiple of four.
+    /// phase) along y, with the phase in radians. The number of steps must be a multiple of four. Each amplitude is half of
+    /// the stroke along its axis (zero to peak).
     #[staticmethod]
     fn ellipse(
         py: Python<'_>,

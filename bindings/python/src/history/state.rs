@@ -150,7 +150,7 @@ impl State {
     /// The normal solution, which shares the memory of the state.
     #[getter]
     fn normal(&self) -> NormalSolution {
-        NormalSolution::of_state(&self.0)
+        NormalSolution::of_state(&self.0, self.1.clone())
     }
 
     /// Pressure, not negative; exactly zero outside the contact.

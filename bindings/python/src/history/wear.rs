@@ -101,11 +101,9 @@ pub(crate) fn archard<'py>(
     depth: Option<Samples<'py>>,
     grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
-    let grid = of_any_cells(
-        py,
-        grid.as_deref(),
-        &[&pressure, &slip_distance, &coefficient],
-    )?;
+    let mut fields = vec![&pressure, &slip_distance, &coefficient];
+    fields.extend(depth.as_ref());
+    let grid = of_any_cells(py, grid.as_deref(), &fields)?;
     check_units(&[&slip_distance], depth.as_ref())?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;

@@ -137,7 +137,8 @@ impl NormalProblem {
         #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let solver = || self.problem.clone().into_solver();
-        solve_once(py, self.gap.0.grid().cells(), solver, progress, warn)
+        let outcome = solve_once(py, self.gap.0.grid().cells(), solver, progress, warn);
+        NormalSolution::in_unit(outcome, py, self.gap.1.as_ref())
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.

@@ -1,6 +1,6 @@
 //! Solutions of normal contacts.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use pyo3::prelude::*;
 
@@ -19,6 +19,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::NormalStiffness;
+use crate::unit::{Unit, agree};
 use crate::work::{observed_on, unobserved_on, watch};
 
 /// Owner of a normal solution.
@@ -30,25 +31,62 @@ enum Source {
 }
 
 /// Pressure, gap and approach of a normal contact. Arrays are read-only views of the memory of this object. Two objects
-/// are equal if their solutions are equal, even if the iterations differed.
+/// are equal if their solutions are equal and their units do not differ, even if the iterations differed.
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct NormalSolution(Source);
+pub(crate) struct NormalSolution {
+    source: Source,
+    /// Unit of the gap. Solves set it in the finished object.
+    unit: OnceLock<Unit>,
+}
 
 impl NormalSolution {
-    pub(crate) fn of_coupled(solution: &Arc<stickslip::CoupledSolution>) -> Self {
-        Self(Source::OfCoupled(Arc::clone(solution)))
+    pub(crate) fn of(solution: Arc<stickslip::NormalSolution>, unit: Option<Unit>) -> Self {
+        Self::from_source(Source::Own(solution), unit)
     }
 
-    pub(crate) fn of_state(state: &Arc<stickslip::history::State>) -> Self {
-        Self(Source::OfState(Arc::clone(state)))
+    fn from_source(source: Source, unit: Option<Unit>) -> Self {
+        let unit = unit.map_or_else(OnceLock::new, OnceLock::from);
+        Self { source, unit }
+    }
+
+    /// Sets the unit of the gap in the solution of a solve, or in the last iterate of a failed solve.
+    pub(super) fn in_unit<'py>(
+        outcome: PyResult<Bound<'py, Self>>,
+        py: Python<'py>,
+        unit: Option<&Unit>,
+    ) -> PyResult<Bound<'py, Self>> {
+        let iterate = match &outcome {
+            Ok(solution) => Some(solution.clone()),
+            Err(error) => {
+                let iterate = error.value(py).getattr("last_iterate").ok();
+                iterate.and_then(|iterate| iterate.cast_into().ok())
+            }
+        };
+        if let (Some(solution), Some(unit)) = (iterate, unit) {
+            solution.get().unit.get_or_init(|| unit.clone());
+        }
+        outcome
+    }
+
+    /// Returns the unit of the gap, if it is known.
+    pub(crate) fn unit_of_gap(&self) -> Option<&Unit> {
+        self.unit.get()
+    }
+
+    pub(crate) fn of_coupled(solution: &Arc<stickslip::CoupledSolution>) -> Self {
+        Self::from_source(Source::OfCoupled(Arc::clone(solution)), None)
+    }
+
+    pub(crate) fn of_state(state: &Arc<stickslip::history::State>, unit: Option<Unit>) -> Self {
+        Self::from_source(Source::OfState(Arc::clone(state)), unit)
     }
 
     pub(crate) fn of_adaptive(solution: &Arc<stickslip::adaptive::AdaptiveSolution>) -> Self {
-        Self(Source::OfAdaptive(Arc::clone(solution)))
+        Self::from_source(Source::OfAdaptive(Arc::clone(solution)), None)
     }
 
     pub(crate) fn get(&self) -> &stickslip::NormalSolution {
-        match &self.0 {
+        match &self.source {
             Source::Own(solution) => solution,
             Source::OfCoupled(solution) => solution.normal(),
             Source::OfState(state) => state.normal(),
@@ -59,17 +97,17 @@ impl NormalSolution {
 
 impl From<Arc<stickslip::NormalSolution>> for NormalSolution {
     fn from(solution: Arc<stickslip::NormalSolution>) -> Self {
-        Self(Source::Own(solution))
+        Self::of(solution, None)
     }
 }
 
 impl Stored for NormalSolution {
-    type Content = stickslip::NormalSolution;
+    type Content = (stickslip::NormalSolution, Option<String>);
 
     const KIND: &'static str = "NormalSolution";
 
-    fn of_content(content: Self::Content) -> Self {
-        Arc::new(content).into()
+    fn of_content((solution, unit): Self::Content) -> Self {
+        Self::of(Arc::new(solution), unit.map(Unit::from))
     }
 }
 
@@ -112,6 +150,13 @@ readers! { NormalSolution.get():
 
 #[pymethods]
 impl NormalSolution {
+    /// Unit of the gap from which the solution was computed; ``None`` if it is not known, as in the parts of coupled and adaptive
+    /// solutions.
+    #[getter]
+    fn unit(&self) -> Option<&str> {
+        self.unit_of_gap().map(|unit| &**unit)
+    }
+
     /// Pressure p >= 0, shape (ny, nx); exactly zero outside the contact.
     #[getter]
     fn pressure<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
@@ -191,11 +236,12 @@ impl NormalSolution {
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        self.get() == other.get()
+        self.get() == other.get() && agree(self.unit_of_gap(), other.unit_of_gap())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        reduced::<Self>(py, self.get())
+        let unit = self.unit().map(String::from);
+        reduced::<Self>(py, &(self.get().clone(), unit))
     }
 
     fn __repr__(&self) -> String {

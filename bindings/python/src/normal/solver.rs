@@ -19,6 +19,7 @@ use crate::sensitivity::{Sensitivity, computed, sensitive, workspace};
 use crate::settings::Settings;
 use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
+use crate::unit::Unit;
 use crate::work::{unobserved_on, watch};
 
 /// Solves normal contacts on one grid repeatedly, each time from the last solution. The arguments are those of
@@ -105,6 +106,11 @@ impl NormalSolver {
         self.0.with(|solver| solver.clone())
     }
 
+    /// Returns the unit of the gap.
+    pub(crate) fn unit_of_gap(&self) -> PyResult<Option<Unit>> {
+        Ok(lock(&self.1, "solver")?.gap.1.clone())
+    }
+
     fn change(
         &self,
         py: Python<'_>,
@@ -186,16 +192,19 @@ impl NormalSolver {
     ///     If the unit of the gap differs from that of the earlier gaps; load and gap are then unchanged.
     /// NotConverged
     ///     The exception has the attributes ``report`` and ``last_iterate``.
-    #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=true))]
+    #[pyo3(signature = (*positional, force=None, approach=None, gap=None, progress=None, warn=true),
+        text_signature = "($self, *, force=None, approach=None, gap=None, progress=None, warn=True)")]
     fn solve<'py>(
         &self,
         py: Python<'py>,
+        positional: &Bound<'py, PyTuple>,
         force: Option<Real>,
         approach: Option<Real>,
         gap: Option<Samples<'_>>,
         progress: Option<Bound<'py, PyAny>>,
         #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
+        load::by_keyword("NormalSolver.solve", positional, "force= or approach=")?;
         let load = load::normal(force, approach)?;
         let mut given = lock(&self.1, "solver")?;
         let given = &mut *given;
@@ -207,17 +216,21 @@ impl NormalSolver {
             }
             Ok(())
         };
-        self.0.solve(py, set, progress, warn)
+        let outcome = self.0.solve(py, set, progress, warn);
+        NormalSolution::in_unit(outcome, py, given.gap.1.as_ref())
     }
 
     /// Sets the load of the next solve.
-    #[pyo3(signature = (*, force=None, approach=None))]
+    #[pyo3(signature = (*positional, force=None, approach=None),
+        text_signature = "($self, *, force=None, approach=None)")]
     fn set_load(
         &self,
         py: Python<'_>,
+        positional: &Bound<'_, PyTuple>,
         force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
+        load::by_keyword("NormalSolver.set_load", positional, "force= or approach=")?;
         self.change(py, Some(load::needed(force, approach)?), None)
     }
 

@@ -20,6 +20,7 @@ use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{RollingSolution, RollingSolver};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_sheared;
+use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// Bodies, normal contact, friction and controls of steady rolling.
@@ -87,6 +88,8 @@ pub(crate) struct RollingProblem {
     grid: stickslip::Grid,
     controls: Controls,
     recipe: Recipe,
+    /// Unit of the gap of the normal solution.
+    unit: Option<Unit>,
 }
 
 #[pymethods]
@@ -150,6 +153,7 @@ impl RollingProblem {
             )?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
+        let unit = normal.unit_of_gap().cloned();
         let normal = normal.get();
         let built = unobserved_on(py, grid, || {
             let Controls {
@@ -180,6 +184,7 @@ impl RollingProblem {
             grid,
             controls: keywords.controls(),
             recipe,
+            unit,
         })
     }
 
@@ -200,7 +205,7 @@ impl RollingProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<RollingSolver> {
         let solver = || self.problem.clone().into_solver();
-        RollingSolver::of(py, self.grid, self.controls, solver)
+        RollingSolver::of(py, self.grid, self.controls, self.unit.clone(), solver)
     }
 
     fn __getnewargs_ex__<'py>(

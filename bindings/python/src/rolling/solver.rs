@@ -18,6 +18,7 @@ use crate::rolling::{CreepForces, RollingSolution};
 use crate::solution_pool::lock;
 use crate::solver::{Reused, created_by, frictional, solver};
 use crate::tangential::pressure::Pressure;
+use crate::unit::{Unit, of_next_gap};
 use crate::work::watch;
 
 /// Solves for successive creepages, forces or spins, each time from the last solution; created by
@@ -27,6 +28,8 @@ pub(crate) struct RollingSolver(
     Reused<rolling::RollingSolver>,
     /// Controls of the next solve, which the solver of the crate does not return.
     Mutex<Controls>,
+    /// Unit of the gaps of the normal contacts.
+    Mutex<Option<Unit>>,
 );
 
 impl RollingSolver {
@@ -34,10 +37,11 @@ impl RollingSolver {
         py: Python<'_>,
         grid: stickslip::Grid,
         controls: Controls,
+        unit: Option<Unit>,
         solver: impl FnOnce() -> stickslip::Result<rolling::RollingSolver> + Send,
     ) -> PyResult<Self> {
         let solver = Reused::new(py, grid, solver)?;
-        Ok(Self(solver, Mutex::new(controls)))
+        Ok(Self(solver, Mutex::new(controls), Mutex::new(unit)))
     }
 }
 
@@ -114,10 +118,16 @@ impl RollingSolver {
     /// UnsupportedByModel, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
     /// GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     The pressure is unchanged after an exception.
+    /// ValueError
+    ///     If the unit of its gap differs from that of the earlier gaps.
     fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
+        let mut last = lock(&self.2, "solver")?;
+        let unit = of_next_gap(last.as_ref(), pressure.unit_of_gap())?;
         let pressure = pressure.given(py, self.0.grid())?;
         self.0
-            .change(py, |solver| solver.set_pressure(pressure.source()))
+            .change(py, |solver| solver.set_pressure(pressure.source()))?;
+        *last = unit;
+        Ok(())
     }
 
     /// Sets the normal solver that computes the pressure for a new load. The solver is copied, with its gap, hardness and
@@ -130,9 +140,16 @@ impl RollingSolver {
     /// Raises
     /// ------
     /// GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
+    /// ValueError
+    ///     If the unit of its gap differs from that of the earlier gaps.
     fn set_normal_solver(&self, py: Python<'_>, solver: Object<NormalSolver>) -> PyResult<()> {
+        let mut last = lock(&self.2, "solver")?;
+        let unit = of_next_gap(last.as_ref(), solver.unit_of_gap()?)?;
         let normal = solver.copied()?;
-        self.0.change(py, |solver| solver.set_normal_solver(normal))
+        self.0
+            .change(py, |solver| solver.set_normal_solver(normal))?;
+        *last = unit;
+        Ok(())
     }
 
     /// Sets the normal load of the next solve, and computes the pressure starting from the last pressure. The normal

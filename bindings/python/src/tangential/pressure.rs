@@ -9,6 +9,7 @@ use crate::argument::argument;
 use crate::field::Field;
 use crate::normal::NormalSolution;
 use crate::samples::Samples;
+use crate::unit::Unit;
 
 argument! {
     /// Pressure argument: a solved normal contact, or a field.
@@ -46,6 +47,12 @@ impl PressureArgument<'_> {
 }
 
 impl Pressure<'_> {
+    /// Returns the unit of the gap of a solved normal contact, if it is known.
+    pub(crate) fn unit_of_gap(&self) -> Option<Unit> {
+        let solution = self.0.cast::<NormalSolution>().ok()?;
+        solution.get().unit_of_gap().cloned()
+    }
+
     pub(crate) fn given(
         &self,
         py: Python<'_>,

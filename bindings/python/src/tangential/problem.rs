@@ -17,8 +17,8 @@ use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_sheared;
 use crate::tangential::pressure::Pressure;
+use crate::tangential::solver::Units;
 use crate::tangential::{RelativeDisplacement, TangentialSolution, TangentialSolver};
-use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// Bodies, pressure, friction and tangential load of one monotonic step from the unsheared state.
@@ -57,6 +57,8 @@ use crate::work::unobserved_on;
 /// ------
 /// NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, UnsupportedByModel,
 /// NotFinite, EmptyContact, BeyondFrictionCapacity, Tolerance, IterationLimit
+/// ValueError
+///     If the units of the gap of the normal solution and of the relative displacement differ.
 ///
 /// Examples
 /// --------
@@ -77,8 +79,7 @@ pub(crate) struct TangentialProblem(
     stickslip::Grid,
     Recipe,
     TangentialLoad,
-    /// Unit of the relative displacement.
-    Option<Unit>,
+    Units,
 );
 
 #[pymethods]
@@ -137,9 +138,12 @@ impl TangentialProblem {
         .with(py, "coupling", coupling)?
         .with(py, "relative_displacement", relative_displacement.clone())?
         .with(py, "settings", Some(Settings(settings)))?;
-        let unit = relative_displacement
-            .as_ref()
-            .and_then(|relative| relative.1.clone());
+        let relative = relative_displacement.as_ref();
+        let units = Units {
+            gap: pressure.unit_of_gap(),
+            relative: relative.and_then(|relative| relative.1.clone()),
+        };
+        units.check()?;
         let built = unobserved_on(py, grid, || {
             let builder =
                 stickslip::TangentialProblem::builder(&bodies.0, given.source(), friction, load);
@@ -155,7 +159,7 @@ impl TangentialProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe, TangentialLoad(load), unit))
+        Ok(Self(built, grid, recipe, TangentialLoad(load), units))
     }
 
     /// Largest tangential force that friction can carry: the integral of the friction limit.

@@ -13,7 +13,7 @@ use crate::solution_pool::lock;
 use crate::solver::{Reused, created_by, frictional, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
-use crate::unit::{Unit, check_relative};
+use crate::unit::{Unit, check_relative, of_next_gap};
 use crate::work::unobserved_on;
 
 /// Solves tangential contacts repeatedly, each time from the last solution; created by :meth:`TangentialProblem.solver`.
@@ -23,20 +23,37 @@ pub(crate) struct TangentialSolver(
     Reused<stickslip::TangentialSolver>,
     /// Load of the next solve, which the solver of the crate does not return.
     Mutex<TangentialLoad>,
-    /// Unit of the relative displacement.
-    Mutex<Option<Unit>>,
+    Mutex<Units>,
 );
+
+/// Units of the lengths of a tangential contact, as far as they are known.
+#[derive(Clone)]
+pub(super) struct Units {
+    pub(super) gap: Option<Unit>,
+    pub(super) relative: Option<Unit>,
+}
+
+impl Units {
+    /// Returns an error if both units differ.
+    pub(super) fn check(&self) -> PyResult<()> {
+        check_relative(
+            "the gap of the normal solution",
+            self.gap.as_ref(),
+            self.relative.as_ref(),
+        )
+    }
+}
 
 impl TangentialSolver {
     pub(super) fn of(
         py: Python<'_>,
         grid: stickslip::Grid,
         load: TangentialLoad,
-        unit: Option<Unit>,
+        units: Units,
         solver: impl FnOnce() -> stickslip::Result<stickslip::TangentialSolver> + Send,
     ) -> PyResult<Self> {
         let solver = Reused::new(py, grid, solver)?;
-        Ok(Self(solver, Mutex::new(load), Mutex::new(unit)))
+        Ok(Self(solver, Mutex::new(load), Mutex::new(units)))
     }
 }
 
@@ -106,10 +123,23 @@ impl TangentialSolver {
     }
 
     /// Sets the pressure of the next solve.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     If the unit of its gap differs from that of the earlier gaps or of the relative displacement.
     fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
+        let mut last = lock(&self.2, "solver")?;
+        let units = Units {
+            gap: of_next_gap(last.gap.as_ref(), pressure.unit_of_gap())?,
+            relative: last.relative.clone(),
+        };
+        units.check()?;
         let pressure = pressure.given(py, self.0.grid())?;
         self.0
-            .change(py, |solver| solver.set_pressure(pressure.source()))
+            .change(py, |solver| solver.set_pressure(pressure.source()))?;
+        *last = units;
+        Ok(())
     }
 
     /// Sets the relative displacement of the next solve.
@@ -118,21 +148,24 @@ impl TangentialSolver {
     /// ------
     /// GridMismatch
     /// ValueError
-    ///     If its unit differs from that of the earlier relative displacements.
+    ///     If its unit differs from that of the earlier relative displacements or of the gap of the normal solution.
     fn set_relative_displacement(
         &self,
         py: Python<'_>,
         relative: RelativeDisplacement,
     ) -> PyResult<()> {
         let mut last = lock(&self.2, "solver")?;
-        check_relative("the last one", last.as_ref(), relative.1.as_ref())?;
+        check_relative("the last one", last.relative.as_ref(), relative.1.as_ref())?;
+        let units = Units {
+            gap: last.gap.clone(),
+            relative: last.relative.clone().or(relative.1.clone()),
+        };
+        units.check()?;
         let changed = self
             .0
             .with(|solver| solver.set_relative_displacement(&relative.0))?;
         changed.or_raise(py)?;
-        if last.is_none() {
-            last.clone_from(&relative.1);
-        }
+        *last = units;
         Ok(())
     }
 

@@ -60,6 +60,8 @@ _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz"
 def to_xarray(solution: Any) -> xarray.Dataset:
     """Converts the fields and numbers of a solution to a dataset of xarray (``pip install xarray``).
 
+    The dataset of a history or a state contains ``unloaded_gap`` only, and no gap under load: convert ``history.normal`` for that.
+
     Fields have the dimensions (y, x), with the centres of the cells as coordinates. Components of vectors are named by
     their axis, such as ``traction_x``, and components of stresses by both axes, such as ``xz``. Numbers are attributes of
     the dataset. The docstring of each field is its attribute ``long_name``: ``gap`` is the gap under load, and ``unloaded_gap``
@@ -173,7 +175,7 @@ def from_xarray(array: xarray.DataArray) -> Field:
     """Converts an array of xarray with the heights of a surface to a field, with the unit in its attribute ``units``.
 
     Coordinates with an attribute ``units`` are converted to the unit of the heights. Coordinates without it have the unit of
-    the heights.
+    the heights, unless the other coordinates have a different unit.
 
     Heights that equal ``_FillValue`` or ``missing_value``, in the attributes or the encoding, are missing (NaN). The encoding is
     ignored if it also contains ``scale_factor`` or ``add_offset``.
@@ -190,7 +192,8 @@ def from_xarray(array: xarray.DataArray) -> Field:
         coordinates are not real numbers, such as text, times or truth values.
     ValueError
         If the array has different dimensions, if its coordinates are missing or not evenly spaced and increasing, if a unit is not
-        a unit of length, or if the coordinates have units and the heights have none.
+        a unit of length, if one coordinate has none and the unit of the other differs from that of the heights, or if the coordinates
+        have units and the heights have none.
     """
     if not all(hasattr(array, name) for name in ("dims", "attrs", "transpose")) or hasattr(array, "data_vars"):
         variables = [str(name) for name in getattr(array, "data_vars", ())]
@@ -214,6 +217,14 @@ def from_xarray(array: xarray.DataArray) -> Field:
         )
     if own is not None:
         _factor(own, own)  # an unknown unit is rejected
+    if own is not None and along.count(None) == 1:
+        known, missing = ("x", "y") if along[1] is None else ("y", "x")
+        unit = next(unit for unit in along if unit is not None)
+        if _factor(unit, own) != 1.0:
+            raise ValueError(
+                f"the coordinates along {known} have the unit {unit}, those along {missing} have none, and the heights have the unit "
+                f'{own}: set array["{missing}"].attrs["units"] = "{unit}"'
+            )
     sides = []
     for axis in ("x", "y"):
         centres = _real(array[axis], f"the coordinates along {axis}")
@@ -233,6 +244,10 @@ def from_xarray(array: xarray.DataArray) -> Field:
 def _real(values: Any, quantity: str) -> NDArray[Any]:
     """Returns an array of real numbers, or raises an error for entries that NumPy would convert by a guess."""
     entries = np.asarray(values)
+    if entries.dtype == np.float16:
+        error = ArgumentType(f"the type float16 of {quantity} has three digits: give array.astype(float) if this is intended")
+        error.argument = "array"
+        raise error
     found = _NOT_REAL.get(entries.dtype.kind)
     if entries.dtype.kind == "O":
         kinds = {np.asarray(entry).dtype.kind for entry in entries.flat}
