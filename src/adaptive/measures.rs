@@ -131,6 +131,12 @@ impl Measures {
         })
     }
 
+    /// Returns whether any cell carries traction.
+    pub(super) fn is_sheared(&self) -> bool {
+        let friction = self.friction.as_ref();
+        friction.is_some_and(|friction| friction.traction.max() > 0.0)
+    }
+
     /// Returns the estimated error of a coarser solution, which is its difference from this solution.
     pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> Result<f64> {
         let relative = |fine: f64, coarse: f64| part_of((fine - coarse).abs(), fine.abs());

@@ -274,7 +274,10 @@ impl OneGrid {
             }
             let least = match quantity {
                 Quantity::Pressure => unresolved.pressure.max(unresolved.spots),
-                Quantity::Traction | Quantity::StickRatio => unresolved.spots,
+                // Tractions that are zero everywhere have no error.
+                Quantity::Traction | Quantity::StickRatio if self.measures.is_sheared() => {
+                    unresolved.spots
+                }
                 Quantity::Area => unresolved.area,
                 _ => 0.0,
             };

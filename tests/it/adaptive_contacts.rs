@@ -400,6 +400,24 @@ fn contact_with_narrow_channel_reaches_target_of_area() {
     );
 }
 
+/// The contact is symmetric about the middle of the region and much smaller than the first cells. Two grids then have the same
+/// pressure in the two cells next to the middle.
+#[test]
+fn contact_smaller_than_the_first_cells_reaches_target() {
+    let cylinder = |x: f64, _: f64| x * x / (2.0 * RADIUS);
+    let region = Region::line([-2e-3, 2e-3], 1e-2).unwrap();
+    let builder = builder(&cylinder, region).target(Quantity::Pressure, 1e-2);
+    let found = solved(builder.shear(kit::coulomb(0.3), TangentialLoad::force([10.0, 0.0])));
+    let exact = HertzLine::new(&steel(), RADIUS, FORCE).unwrap();
+    let pressure = found.normal().pressure().max();
+    assert!(
+        (pressure / exact.max_pressure() - 1.0).abs() < 1e-2,
+        "{pressure}"
+    );
+    let contact = found.tangential().unwrap();
+    assert!((contact.stick_ratio() - (2.0_f64 / 3.0).sqrt()).abs() < 0.05);
+}
+
 /// The traction of a first step without a tangential load is zero. Its estimate is zero too, and the refinement ends.
 #[test]
 fn first_step_without_tangential_load_reaches_default_targets() {

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use stickslip::history::AdaptiveSteps;
-use stickslip::rolling::CoupledRollingProblem;
+use stickslip::rolling::{CoupledRollingProblem, RollingProblem};
 use stickslip::{
     Boundary, CoupledProblem, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad,
     NormalProblem, NormalSolution, TangentialLoad, Warning, surface,
@@ -315,4 +315,28 @@ fn gap_under_load_is_rejected() {
     let before = history.to_bytes();
     kit::assert_refused! { history.set_gap(&gap) => Error::GapUnderLoad }
     assert_eq!(history.to_bytes(), before);
+}
+
+/// The normal contact that a rolling solver computes is not in the hands of the caller.
+#[test]
+fn rolling_solution_has_warnings_of_its_normal_contact() {
+    let (bodies, ball, load) = ball();
+    let mut press = kit::solver(NormalProblem::builder(&bodies, &ball, load));
+    let mut normal = press.new_solution();
+    press.solve_into(&mut normal).unwrap();
+    let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
+    let mut solver = kit::solver(problem.creepage([1e-3, 0.0]));
+    let mut solution = solver.new_solution();
+    let (depth, is_contact) = contact_of(&normal, &ball);
+    press
+        .set_gap(&worn(&ball, 30.0 * depth, is_contact))
+        .unwrap();
+    solver.set_normal_solver(press).unwrap();
+    solver.set_normal_load(load).unwrap();
+    solver.solve_into(&mut solution).unwrap();
+    assert!(tenths(solution.warnings()).is_some());
+    // A pressure that is set belongs to a solution with its own warnings.
+    solver.set_pressure(&normal).unwrap();
+    solver.solve_into(&mut solution).unwrap();
+    assert_eq!(tenths(solution.warnings()), None);
 }

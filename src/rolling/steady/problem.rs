@@ -3,7 +3,7 @@
 use crate::error::{Error, RankFailure, Result, finite, with_remedy};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{filled, try_clone, try_each, zeros};
-use crate::normal::NormalSolution;
+use crate::normal::{NormalSolution, Scale};
 use crate::rolling::entry::entering;
 use crate::rolling::steady::options::{RollingOptions, rolling_methods};
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
@@ -22,6 +22,8 @@ pub struct RollingProblem {
     pub(in crate::rolling) pressed: PressureOnWindow,
     /// Whether the pressure is a field instead of a solved contact.
     pub(in crate::rolling) is_prescribed: bool,
+    /// Scales of a normal contact that the solver has computed.
+    pub(in crate::rolling) scale: Scale,
     pub(in crate::rolling) friction: Friction,
     pub(in crate::rolling) options: RollingOptions,
     pub(in crate::rolling) step: WindowShift,
@@ -35,7 +37,7 @@ pub struct RollingProblem {
     pub(in crate::rolling) drawn: [Vec<f64>; 2],
 }
 
-try_clone!(RollingProblem { pressed, friction, own, drawn } { bodies, is_prescribed, options, step, length, chain });
+try_clone!(RollingProblem { pressed, friction, own, drawn } { bodies, is_prescribed, scale, options, step, length, chain });
 
 shown!(RollingProblem: bodies, options, step);
 
@@ -193,6 +195,7 @@ impl RollingProblemBuilder<'_> {
             bodies: bodies.clone(),
             pressed,
             is_prescribed: false,
+            scale: Scale::default(),
             friction,
             options,
             step,

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::memory::fallible::{filled, try_each, zeros};
-use crate::normal::{NormalLoad, NormalSolution, NormalSolver};
+use crate::normal::{NormalLoad, NormalSolution, NormalSolver, Scale};
 use crate::numerics::cell_vector::slices;
 use crate::rolling::RollingShift;
 use crate::rolling::entry::entering;
@@ -79,6 +79,7 @@ impl RollingSolver {
             *self = wider;
         }
         self.problem.is_prescribed = source.is_prescribed();
+        self.problem.scale = Scale::default();
         self.engine.changed = Some("the pressure");
         if let Some(press) = &mut self.engine.press {
             press.is_present = false;
@@ -137,6 +138,7 @@ impl RollingSolver {
             Ok(()) => {
                 std::mem::swap(&mut press.normal, &mut press.candidate);
                 press.is_present = true;
+                self.problem.scale = press.normal.scale();
             }
             Err(_) => press.solver.restore_load(before),
         }

@@ -9,6 +9,7 @@ use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::grid::record::record;
 use crate::memory::fallible::{filled, try_each, unwrap_or_abort};
+use crate::normal::Scale;
 use crate::parallel::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
@@ -47,6 +48,9 @@ record! {
             halfway: [f64; 2],
         }
         ignored {
+            /// Scales of a normal contact that the solver has computed.
+            #[cfg_attr(feature = "serde", serde(default))]
+            scale: Scale,
             report: Report,
         }
         local {}
@@ -81,6 +85,7 @@ impl RollingSolution {
             pressure_warning: None,
             boundary: Boundary::default(),
             halfway: [0.0; 2],
+            scale: Scale::default(),
             report: Report::with_room(),
         })
     }
@@ -105,6 +110,7 @@ impl RollingSolution {
         self.cap_parts = friction.low_cap(pressed.region.layout(), &pressed.pressure);
         let of_pressure = || pressed.pressure_warning(&problem.bodies);
         self.pressure_warning = problem.is_prescribed.then(of_pressure).flatten();
+        self.scale = problem.scale;
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
                 continue;
@@ -274,7 +280,9 @@ impl RollingSolution {
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
     /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`],
     /// [`Warning::LargeFriction`] or [`Warning::LowShearStress`], and [`Warning::LowPressure`] or
-    /// [`Warning::PressureBeyondModulus`] for a prescribed pressure.
+    /// [`Warning::PressureBeyondModulus`] for a prescribed pressure. If the solver has computed the pressure after
+    /// [`set_normal_load`](crate::rolling::RollingSolver::set_normal_load), the warnings also concern the gap, the approach and the
+    /// size of this pressure. Otherwise the solution that was set as pressure has its own warnings.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
@@ -284,6 +292,7 @@ impl RollingSolution {
         warnings.extend(lift);
         warnings.extend(Warning::of_status(self.report.status));
         warnings.extend(creepage.into_iter().chain(friction).chain(pressure));
+        warnings.extend(self.scale.warnings());
         warnings
     }
 
