@@ -373,7 +373,9 @@ class AdaptiveSolution:
     def history(self, /) -> History | None:
         """
         The history after its first step, for further steps on the same grid; ``None`` without ``first_step``. Further steps
-        do not change the other attributes of this solution.
+        do not change the other attributes of this solution. The tolerance of the history is 2 % of the smallest target (2e-4
+        for the default targets); call ``set_settings`` for a smaller tolerance. Its grid is centred on ``centre``: add the
+        centre to positions.
         """
     @property
     def is_reached(self, /) -> bool:
