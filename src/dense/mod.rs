@@ -27,10 +27,10 @@ use crate::support::debug::shown;
 /// Largest accepted number of unknowns, which corresponds to a matrix of 128 MiB.
 const LIMIT: usize = 4096;
 
-/// Difference of mirrored entries of a symmetric matrix, divided by the largest entry. A matrix of another program, such as
-/// the compliance matrix of a finite-element code, has this round-off.
+/// Allowed difference of mirrored entries of a symmetric matrix, divided by the largest entry. It admits the round-off of the
+/// compliance matrix of a finite-element code, like the check of reciprocity of user-defined operators.
 const ASYMMETRY: f64 = 1e-9;
-/// The same difference for the direct solution, which has no iteration that could correct it.
+/// Allowed difference for the direct solution, which uses only half of the matrix.
 const DIRECT_ASYMMETRY: f64 = 1e-13;
 
 /// Square matrix as an [`Operator`].
