@@ -137,7 +137,8 @@ static void a_creep_curve_goes_from_nothing_to_sliding(stickslip_rolling_solver 
 }
 
 static void creepages_in_per_cent_cause_a_warning(stickslip_rolling_solver *solver) {
-    stickslip_creep_point small[2] = {{{0.0, 0.0}, 0.0}, {{0.01, 0.0}, 0.0}}, large[3] = {{{0.0, 0.0}, 0.0}, {{0.2, 0.0}, 0.0}, {{0.3, 0.0}, 0.0}};
+    stickslip_creep_point small[2] = {{{0.0, 0.0}, 0.0}, {{0.01, 0.0}, 0.0}};
+    stickslip_creep_point large[3] = {{{0.0, 0.0}, 0.0}, {{0.2, 0.0}, 0.0}, {{0.3, 0.0}, 0.0}};
     stickslip_creep_force forces[3];
     stickslip_warning warning = {0};
     size_t count = 7;
@@ -145,7 +146,7 @@ static void creepages_in_per_cent_cause_a_warning(stickslip_rolling_solver *solv
     OK(stickslip_rolling_solver_creep_warnings(solver, NULL, 0, &count));
     CHECK(count == 1);
     OK(stickslip_rolling_solver_creep_warnings(solver, &warning, 1, &count));
-    CHECK(count == 1 && warning.kind == STICKSLIP_WARNING_LARGE_CREEPAGE && strstr(warning.message, "0.2") != NULL);
+    CHECK(count == 1 && warning.kind == STICKSLIP_WARNING_LARGE_CREEPAGE && strstr(warning.message, "by 20 %") != NULL);
     /* The warnings belong to the last call. */
     OK(stickslip_rolling_solver_creep_forces(solver, small, 2, forces));
     OK(stickslip_rolling_solver_creep_warnings(solver, NULL, 0, &count));
