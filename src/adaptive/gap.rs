@@ -38,39 +38,40 @@ impl<F: Fn(f64, f64) -> f64> GapFunction for F {
 #[cfg(feature = "roughness")]
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampledGap {
-    heights: Field,
+    samples: Field,
     interpolation: Interpolation,
 }
 
 #[cfg(feature = "roughness")]
 impl SampledGap {
-    /// Creates the gap from samples at the centres of the cells of their grid, which is centred on the origin.
+    /// Creates the gap from its samples at the centres of the cells of a grid that is centred on the origin.
+    /// [`gap_from_heights`](crate::surface::gap_from_heights) computes the gap of measured heights.
     ///
     /// # Errors
     /// - [`Error::Sample`](crate::Error::Sample) if a sample is missing or infinite.
-    pub fn new(heights: Field, interpolation: Interpolation) -> Result<Self> {
-        heights.check("gap", heights.grid())?;
+    pub fn new(gap: Field, interpolation: Interpolation) -> Result<Self> {
+        gap.check("gap", gap.grid())?;
         Ok(Self {
-            heights,
+            samples: gap,
             interpolation,
         })
     }
 
-    /// Returns the samples.
+    /// Returns the samples of the gap (lengths).
     #[must_use]
-    pub fn heights(&self) -> &Field {
-        &self.heights
+    pub fn samples(&self) -> &Field {
+        &self.samples
     }
 }
 
 #[cfg(feature = "roughness")]
 impl GapFunction for SampledGap {
     fn evaluate(&self, positions: &[[f64; 2]], gaps: &mut [f64]) -> Result<()> {
-        interpolate(&self.heights, self.interpolation, positions, gaps)
+        interpolate(&self.samples, self.interpolation, positions, gaps)
     }
 
     fn sample_spacing(&self) -> Option<[f64; 2]> {
-        let grid = self.heights.grid();
+        let grid = self.samples.grid();
         Some([grid.dx(), grid.dy()])
     }
 }

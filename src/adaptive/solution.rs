@@ -151,6 +151,10 @@ impl AdaptiveSolution {
 
     /// Returns the history after its first step for further steps, or `None` without
     /// [`first_step`](super::AdaptiveProblemBuilder::first_step).
+    ///
+    /// Its settings are those of the adaptive solve, whose tolerance is 2 % of the smallest target (2e-4 for the default
+    /// targets). Call [`set_settings`](History::set_settings) for a smaller tolerance. Its grid is centred on the
+    /// [centre](Self::centre): add the centre to positions, for instance in the gap for [`set_gap`](History::set_gap).
     #[cfg(feature = "history")]
     #[cfg_attr(docsrs, doc(cfg(feature = "history")))]
     #[must_use]

@@ -11,7 +11,7 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, MatRef, Side};
 
 use crate::cgm::{Constraint, Interval, check_constraint};
-use crate::dense::DenseOperator;
+use crate::dense::{DIRECT_ASYMMETRY, DenseOperator};
 use crate::error::{Error, Result, all_finite, length};
 use crate::report::{Report, Status};
 
@@ -58,7 +58,7 @@ impl DenseOperator {
         length("linear term", self.len, linear.len())?;
         all_finite("linear term", linear)?;
         check_constraint(constraint, self.len)?;
-        if let Some(row) = self.first_asymmetric_row() {
+        if let Some(row) = self.first_asymmetric_row(DIRECT_ASYMMETRY) {
             return Err(Error::NotPositiveDefinite { row });
         }
         let mut search = ActiveSetSearch {

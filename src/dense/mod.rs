@@ -27,6 +27,12 @@ use crate::support::debug::shown;
 /// Largest accepted number of unknowns, which corresponds to a matrix of 128 MiB.
 const LIMIT: usize = 4096;
 
+/// Allowed difference of mirrored entries of a symmetric matrix, divided by the largest entry. It admits the round-off of the
+/// compliance matrix of a finite-element code, like the check of reciprocity of user-defined operators.
+const ASYMMETRY: f64 = 1e-9;
+/// Allowed difference for the direct solution, which uses only half of the matrix.
+const DIRECT_ASYMMETRY: f64 = 1e-13;
+
 /// Square matrix as an [`Operator`].
 ///
 /// ```
@@ -49,6 +55,7 @@ pub struct DenseOperator {
     /// Entries of the matrix, row-major.
     entries: Vec<f64>,
     lower_bound: OnceLock<f64>,
+    is_symmetric: OnceLock<bool>,
 }
 
 shown!(DenseOperator: len);
@@ -68,6 +75,7 @@ impl DenseOperator {
             len,
             entries,
             lower_bound: OnceLock::new(),
+            is_symmetric: OnceLock::new(),
         })
     }
 
@@ -133,15 +141,16 @@ impl DenseOperator {
         &self.entries[row * self.len..(row + 1) * self.len]
     }
 
-    fn first_asymmetric_row(&self) -> Option<usize> {
-        let scale = self.entries.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        let differ = |i: usize, j: usize| (self.row(i)[j] - self.row(j)[i]).abs() > 1e-13 * scale;
+    /// Returns the first row in which mirrored entries differ by more than `tolerance` times the largest entry.
+    fn first_asymmetric_row(&self, tolerance: f64) -> Option<usize> {
+        let limit = tolerance * self.entries.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let differ = |i: usize, j: usize| (self.row(i)[j] - self.row(j)[i]).abs() > limit;
         (0..self.len).find(|&i| (0..i).any(|j| differ(i, j)))
     }
 
     /// Returns the smallest eigenvalue minus round-off, or zero if the matrix is not symmetric positive definite.
     fn smallest_eigenvalue(&self) -> f64 {
-        if self.first_asymmetric_row().is_some() {
+        if self.first_asymmetric_row(DIRECT_ASYMMETRY).is_some() {
             return 0.0;
         }
         let matrix = MatRef::from_row_major_slice(&self.entries, self.len, self.len);
@@ -190,5 +199,10 @@ impl Operator for DenseOperator {
         } else {
             EigenvalueBound::Unknown
         }
+    }
+
+    /// Returns whether mirrored entries differ by at most 1e-9 of the largest entry. The value is computed at the first call.
+    fn is_symmetric(&self) -> bool {
+        *(self.is_symmetric).get_or_init(|| self.first_asymmetric_row(ASYMMETRY).is_none())
     }
 }

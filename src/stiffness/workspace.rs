@@ -8,7 +8,7 @@ use crate::cgm::cone::ConeCellState;
 use crate::cgm::cone::TransposedState;
 use crate::cgm::{Disc, Interval, LinearisedSet};
 use crate::contact::ResponseContext;
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::observer::Observer;
 use crate::parallel::layout::Layout;
@@ -103,9 +103,12 @@ impl StiffnessWorkspace {
     /// the order of the square of this residual.
     ///
     /// # Errors
-    /// - [`Error::NotPositive`] if the tolerance is not positive.
+    /// - [`Error::Tolerance`] if the tolerance is not between 0 and 1.
     pub fn tolerance(mut self, tolerance: f64) -> Result<Self> {
-        self.tolerance = positive("tolerance", tolerance)?;
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(Error::Tolerance(tolerance));
+        }
+        self.tolerance = tolerance;
         Ok(self)
     }
 

@@ -243,14 +243,15 @@ fn limits_end_the_refinement_with_a_warning() {
 
 #[test]
 fn samples_limit_the_cells() {
-    let heights = Field::from_fn(kit::square(64, 0.4e-3), ball);
+    let samples = Field::from_fn(kit::square(64, 0.4e-3), ball);
     for interpolation in [Interpolation::Cubic, Interpolation::Linear] {
-        let gap = SampledGap::new(heights.clone(), interpolation).unwrap();
+        let gap = SampledGap::new(samples.clone(), interpolation).unwrap();
+        assert_eq!(gap.samples(), &samples);
         let region = Region::rectangle([-0.2e-3, 0.2e-3], [-0.2e-3, 0.2e-3]).unwrap();
         let contact = builder(&gap, region).target(Quantity::Pressure, 1e-5);
         let contact = contact.build().unwrap().solve().unwrap();
         assert_eq!(contact.status(), AdaptiveStatus::SampleSpacing);
-        assert!(contact.grid().dx() >= heights.grid().dx());
+        assert!(contact.grid().dx() >= samples.grid().dx());
         let hertz = HertzSphere::new(&steel(), RADIUS, FORCE).unwrap();
         assert_within(contact.normal().approach(), hertz.approach(), 1e-3);
     }

@@ -700,5 +700,8 @@ fn larger_tolerance_costs_less() {
     let error = (along(&rough) / along(&fine) - 1.0).abs();
     let bound = rough.tangential.bound;
     assert!(error <= bound && bound < 1e-5, "{error:e} for {bound:e}");
-    assert!(StiffnessWorkspace::new().tolerance(0.0).is_err());
+    for outside in [0.0, 1.0, 2.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = StiffnessWorkspace::new().tolerance(outside).unwrap_err();
+        assert!(matches!(error, Error::Tolerance(value) if value.to_bits() == outside.to_bits()));
+    }
 }

@@ -2,10 +2,10 @@
 //! invalid number.
 
 use kit::unit_bodies;
-use stickslip::cgm::NonNegative;
+use stickslip::cgm::{self, NonNegative, Problem, Settings};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
-use stickslip::{Error, Grid};
+use stickslip::{Error, Grid, Operator};
 
 #[test]
 fn matrices_that_are_invalid_are_rejected() {
@@ -22,4 +22,22 @@ fn matrices_that_are_invalid_are_rejected() {
     assert_eq!(error, Some(Error::NotPositiveDefinite { row: 1 }));
     let matrix = DenseOperator::from_rows(1, vec![1.0]).unwrap();
     kit::assert_refused! { matrix.minimise(&[0.0], &NonNegative, Some(-1.0)) => Error::Total { .. } }
+}
+
+/// The solution of a matrix that is not symmetric is that of its variational inequality, not that of a minimum.
+#[test]
+fn asymmetric_matrices_are_not_declared_symmetric() {
+    let matrix = |entries: [f64; 4]| DenseOperator::from_rows(2, entries.to_vec()).unwrap();
+    let skew = matrix([1.0, 0.9, 0.0, 1.0]);
+    assert!(!skew.is_symmetric());
+    assert!(matrix([1.0, 0.5, 0.5, 1.0]).is_symmetric());
+    assert!(matrix([1.0, 0.5 + 1e-10, 0.5, 1.0]).is_symmetric());
+
+    let problem = Problem::new(&skew, [&[-2.8, -1.0]], NonNegative);
+    let (settings, mut x) = (Settings::default().tolerance(1e-12), vec![1.0; 2]);
+    cgm::minimise(&problem, &settings, [&mut x]).unwrap();
+    assert!(
+        (x[0] - 1.9).abs() < 1e-9 && (x[1] - 1.0).abs() < 1e-9,
+        "{x:?}"
+    );
 }

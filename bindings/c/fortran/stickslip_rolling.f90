@@ -40,12 +40,14 @@ module stickslip_rolling
         procedure :: set_pressure => rolling_solver_set_pressure
         procedure :: set_normal_solver => rolling_solver_set_normal_solver
         procedure :: set_normal_load => rolling_solver_set_normal_load
+        procedure :: normal => rolling_solver_normal
         procedure :: friction_capacity => rolling_solver_friction_capacity
         procedure :: set_settings => rolling_solver_set_settings
         procedure :: reset => rolling_solver_reset
         procedure :: solve => rolling_solver_solve
         procedure :: stiffness => rolling_solver_stiffness
         procedure :: creep_forces => rolling_solver_creep_forces
+        procedure :: creep_warnings => rolling_solver_creep_warnings
         procedure :: address => rolling_solver_address
         procedure :: free => rolling_solver_free
         procedure, private :: rolling_solver_refuse
@@ -146,10 +148,13 @@ contains
         call report_status(code, status)
     end subroutine rolling_solution_warnings
 
-    ! Returns the energy that slip dissipates in each cell per area and per length rolled (a pressure). Its product with
-    ! a wear coefficient is the depth worn per length rolled. The wear functions require the energy of a cell instead:
-    ! multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
-    ! the work of creepages and spin; the difference decreases with the cell size.
+    ! Returns the energy that slip dissipates in each cell per area and per length rolled (a pressure). The cells are
+    ! fixed in the contact, and the particles of both surfaces pass through them. The value of a cell is therefore not
+    ! the wear of a particle. In each passage, a particle loses the wear coefficient times the sum of the values over
+    ! the cells of its line along the rolling direction, times their side along this line. Add this depth to whole lines
+    ! of the gap. A wheel with the circumference U makes L/U passages over the length L. Between bodies of the same
+    ! material, the integral of this energy is smaller than the work of creepages and spin; the difference decreases
+    ! with the cell size.
     subroutine rolling_solution_dissipation_per_area(this, values, status)
         class(rolling_solution), intent(in) :: this
         real(c_double), intent(inout), contiguous :: values(:, :)
@@ -239,9 +244,10 @@ contains
     end subroutine rolling_solver_set_pressure
 
     ! Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap,
-    ! hardness and settings. This call does not change the pressure. rolling_solver%set_normal_load solves for the
-    ! pressure over the gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary,
-    ! cell values and materials must be equal. The normal solver need not have solved before.
+    ! hardness and settings: call this function again after each change of its gap. This call does not change the
+    ! pressure. rolling_solver%set_normal_load solves for the pressure over the gap of the normal solver, which may
+    ! differ from the gap of the present pressure. Grid, boundary, cell values and materials must be equal. The normal
+    ! solver need not have solved before.
     subroutine rolling_solver_set_normal_solver(this, normal, status)
         class(rolling_solver), intent(in) :: this
         class(normal_solver), intent(in) :: normal
@@ -250,13 +256,25 @@ contains
     end subroutine rolling_solver_set_normal_solver
 
     ! Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
-    ! rolling_solver%set_normal_solver has set no normal solver. After a failure the solver is unchanged.
+    ! rolling_solver%set_normal_solver has set no normal solver. The gap is that of the normal solver, not that of the
+    ! last rolling_solver%set_normal: after wear, set the normal solver again. After a failure the solver is unchanged.
     subroutine rolling_solver_set_normal_load(this, load, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_normal_load), intent(in) :: load
         integer(c_int32_t), intent(out), optional :: status
         call report_status(stickslip_rolling_solver_set_normal_load(this%handle, load), status)
     end subroutine rolling_solver_set_normal_load
+
+    ! Copies the normal contact that rolling_solver%set_normal_load has computed to a normal solution on the same grid.
+    ! Returns STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is, before
+    ! the first load or after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid.
+    ! After a failure the solution is unchanged.
+    subroutine rolling_solver_normal(this, solution, status)
+        class(rolling_solver), intent(in) :: this
+        class(normal_solution), intent(in) :: solution
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_normal(this%handle, solution%handle), status)
+    end subroutine rolling_solver_normal
 
     ! Returns the largest tangential force that friction can carry.
     function rolling_solver_friction_capacity(this, status) result(found)
@@ -326,6 +344,24 @@ contains
         call report_status(stickslip_rolling_solver_creep_forces_observed(this%handle, points, size(points, &
             kind=c_size_t), observer, forces), status)
     end subroutine rolling_solver_creep_forces
+
+    ! Returns the warnings about the loads of the points that the last call of rolling_solver%creep_forces has solved.
+    ! They include a creepage that may be in per cent. Each kind is listed once, for the first point that has it. The
+    ! list is empty before the first call. rolling_solution%warnings also contains the warnings about the contact, which
+    ! is the same at all points.
+    subroutine rolling_solver_creep_warnings(this, warnings, status)
+        class(rolling_solver), intent(in) :: this
+        type(stickslip_warning), allocatable, intent(out) :: warnings(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: code
+        code = stickslip_rolling_solver_creep_warnings(this%handle, capacity=0_c_size_t, count=count)
+        if (code == STICKSLIP_OK) then
+            allocate (warnings(count))
+            code = stickslip_rolling_solver_creep_warnings(this%handle, warnings, size(warnings, kind=c_size_t), count)
+        end if
+        call report_status(code, status)
+    end subroutine rolling_solver_creep_warnings
 
     ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine rolling_solver_take(this, made, grid, made_with, status)

@@ -446,7 +446,8 @@
 #define STICKSLIP_NO_LAST_STEP 13
 
 // A stiffness was requested after a change of friction, gap, pressure or load, to which the last solution does not belong. Solve
-// again, or take a step, before you compute the stiffness.
+// again, or take a step, before you compute the stiffness. Or a rolling solver does not have the pressure of a normal load: set a
+// normal load before you copy its normal contact.
 #define STICKSLIP_OUTDATED_SOLUTION 14
 
 // A required handle or another required pointer is NULL or misaligned.
@@ -1562,8 +1563,8 @@ typedef struct {
 
 // Options of a stiffness; stickslip_stiffness_options_default() returns the defaults.
 typedef struct {
-    // Relative residual at which the linear problems count as solved (default 1e-11). The error of a stiffness is of the
-    // order of the square of this residual.
+    // Relative residual at which the linear problems count as solved, between 0 and 1 (default 1e-11). The error of a
+    // stiffness is of the order of the square of this residual.
     double tolerance;
     // Nonzero (default 1) to compute the stiffness at reversal. Zero halves the cost, and the entries at reversal are NaN.
     int32_t reversal;
@@ -2373,16 +2374,25 @@ stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver 
                                                        size_t count);
 
 // Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
-// settings. This call does not change the pressure. stickslip_rolling_solver_set_normal_load solves for the pressure over the
-// gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary, cell values and materials
-// must be equal. The normal solver need not have solved before.
+// settings: call this function again after each change of its gap. This call does not change the pressure.
+// stickslip_rolling_solver_set_normal_load solves for the pressure over the gap of the normal solver, which may differ from the
+// gap of the present pressure. Grid, boundary, cell values and materials must be equal. The normal solver need not have solved
+// before.
 stickslip_status stickslip_rolling_solver_set_normal_solver(stickslip_rolling_solver *solver,
                                                             const stickslip_normal_solver *normal);
 
 // Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
-// stickslip_rolling_solver_set_normal_solver has set no normal solver. After a failure the solver is unchanged.
+// stickslip_rolling_solver_set_normal_solver has set no normal solver. The gap is that of the normal solver, not that of the
+// last stickslip_rolling_solver_set_normal: after wear, set the normal solver again. After a failure the solver is unchanged.
 stickslip_status stickslip_rolling_solver_set_normal_load(stickslip_rolling_solver *solver,
                                                           const stickslip_normal_load *load);
+
+// Copies the normal contact that stickslip_rolling_solver_set_normal_load has computed to a normal solution on the same grid.
+// Returns STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is, before the first
+// load or after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure
+// the solution is unchanged.
+stickslip_status stickslip_rolling_solver_normal(const stickslip_rolling_solver *solver,
+                                                 stickslip_normal_solution *solution);
 
 // Writes the largest tangential force that friction can carry.
 stickslip_status stickslip_rolling_solver_friction_capacity(const stickslip_rolling_solver *solver, double *capacity);
@@ -2435,6 +2445,15 @@ stickslip_status stickslip_rolling_solver_creep_forces_observed(stickslip_rollin
                                                                 const stickslip_observer *observer,
                                                                 stickslip_creep_force *forces);
 
+// Writes the warnings about the loads of the points that the last call of stickslip_rolling_solver_creep_forces has solved,
+// like stickslip_normal_solution_warnings. They include a creepage that may be in per cent. Each kind is listed once, for the
+// first point that has it. The list is empty before the first call. stickslip_rolling_solution_warnings also contains the
+// warnings about the contact, which is the same at all points.
+stickslip_status stickslip_rolling_solver_creep_warnings(const stickslip_rolling_solver *solver,
+                                                         stickslip_warning *buffer,
+                                                         size_t capacity,
+                                                         size_t *count);
+
 // Creates an empty solution of the right size for a solver.
 stickslip_status stickslip_rolling_solution_new(const stickslip_rolling_solver *solver,
                                                 stickslip_rolling_solution **solution);
@@ -2453,9 +2472,11 @@ const double *stickslip_rolling_solution_field(const stickslip_rolling_solution 
 const uint8_t *stickslip_rolling_solution_zones(const stickslip_rolling_solution *solution, size_t *count);
 
 // Writes the energy that slip dissipates in each cell per area and per length rolled (a pressure) to values, which has count
-// entries. Its product with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of
-// a cell instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
-// the work of creepages and spin; the difference decreases with the cell size.
+// entries. The cells are fixed in the contact, and the particles of both surfaces pass through them. The value of a cell is
+// therefore not the wear of a particle. In each passage, a particle loses the wear coefficient times the sum of the values
+// over the cells of its line along the rolling direction, times their side along this line. Add this depth to whole lines of
+// the gap. A wheel with the circumference U makes L/U passages over the length L. Between bodies of the same material, the
+// integral of this energy is smaller than the work of creepages and spin; the difference decreases with the cell size.
 stickslip_status stickslip_rolling_solution_dissipation_per_area(const stickslip_rolling_solution *solution,
                                                                  double *values,
                                                                  size_t count);

@@ -110,7 +110,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
                 .settings(options.settings.checked()?);
         }
         let own = problem.build()?.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells())
+        give(place, Solver::new(own, grid), grid.cells())
     })
 }
 

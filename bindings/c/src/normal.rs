@@ -68,7 +68,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
         }
         let problem = problem.build()?;
         let own = problem.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells())
+        give(place, Solver::new(own, grid), grid.cells())
     })
 }
 

@@ -1,10 +1,12 @@
 //! Steady rolling; for history steps with rolling see `loads`.
 
+use std::mem::discriminant;
+
 use stickslip_rs::rolling::{
     CreepForce, LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver,
     SpinControl,
 };
-use stickslip_rs::{Axis, Field};
+use stickslip_rs::{Axis, Error, Field};
 
 use crate::call::{Outcome, call, call_on};
 use crate::error::Failure;
@@ -20,7 +22,7 @@ use crate::pointer::{Place, cells_mut, collected, entries, entries_mut, input, o
 use crate::reserved::known;
 use crate::results::{stickslip_report, stickslip_warning};
 use crate::solver::{self, Solver};
-use crate::status::stickslip_status;
+use crate::status::{STICKSLIP_OUTDATED_SOLUTION, stickslip_status};
 use crate::text_fields::{show, tell, warn};
 
 /// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
@@ -193,7 +195,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
                 .settings(options.settings.checked()?);
         }
         let own = problem.build()?.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells())
+        give(place, Solver::new(own, grid), grid.cells())
     })
 }
 
@@ -261,9 +263,10 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
 }
 
 /// Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
-/// settings. This call does not change the pressure. stickslip_rolling_solver_set_normal_load solves for the pressure over the
-/// gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary, cell values and materials
-/// must be equal. The normal solver need not have solved before.
+/// settings: call this function again after each change of its gap. This call does not change the pressure.
+/// stickslip_rolling_solver_set_normal_load solves for the pressure over the gap of the normal solver, which may differ from the
+/// gap of the present pressure. Grid, boundary, cell values and materials must be equal. The normal solver need not have solved
+/// before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     solver: *mut stickslip_rolling_solver,
@@ -277,7 +280,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
 }
 
 /// Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
-/// stickslip_rolling_solver_set_normal_solver has set no normal solver. After a failure the solver is unchanged.
+/// stickslip_rolling_solver_set_normal_solver has set no normal solver. The gap is that of the normal solver, not that of the
+/// last stickslip_rolling_solver_set_normal: after wear, set the normal solver again. After a failure the solver is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     solver: *mut stickslip_rolling_solver,
@@ -293,6 +297,37 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
             RollingSolver::set_normal_load,
         )
     }
+}
+
+/// Copies the normal contact that stickslip_rolling_solver_set_normal_load has computed to a normal solution on the same grid.
+/// Returns STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is, before the first
+/// load or after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure
+/// the solution is unchanged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_normal(
+    solver: *const stickslip_rolling_solver,
+    solution: *mut stickslip_normal_solution,
+) -> stickslip_status {
+    // SAFETY: the caller follows the rule for pointers.
+    call_on(solver, || unsafe {
+        let (solver, mut solution) = (reading(solver)?, changing(solution)?);
+        let normal = (solver.own.normal()).ok_or_else(|| {
+            let message = "the rolling solver has no normal contact of its own: set a normal solver and a normal load first";
+            Failure::new(STICKSLIP_OUTDATED_SOLUTION, message.into())
+        })?;
+        let [expected, found] = [normal.grid(), solution.grid()];
+        if expected != found {
+            return Err(Failure::from(Error::GridMismatch {
+                quantity: "the normal solution",
+                expected_cells: [expected.nx(), expected.ny()],
+                expected_sides: [expected.dx(), expected.dy()],
+                found_cells: [found.nx(), found.ny()],
+                found_sides: [found.dx(), found.dy()],
+            }));
+        }
+        solution.clone_from(normal);
+        Ok(())
+    })
 }
 
 /// Writes the largest tangential force that friction can carry.
@@ -466,8 +501,37 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
         for (place, force) in places.iter_mut().zip(&found) {
             *place = (*force).into();
         }
+        solver.remarks.clear();
+        for warning in found.iter().flat_map(CreepForce::warnings) {
+            if !solver
+                .remarks
+                .iter()
+                .any(|own| discriminant(own) == discriminant(&warning))
+            {
+                solver.remarks.push(warning);
+            }
+        }
         outcome.map_err(|error| Failure::from(error).after_entries(found.len()))
     })
+}
+
+/// Writes the warnings about the loads of the points that the last call of stickslip_rolling_solver_creep_forces has solved,
+/// like stickslip_normal_solution_warnings. They include a creepage that may be in per cent. Each kind is listed once, for the
+/// first point that has it. The list is empty before the first call. stickslip_rolling_solution_warnings also contains the
+/// warnings about the contact, which is the same at all points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_creep_warnings(
+    solver: *const stickslip_rolling_solver,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the caller follows the rule for pointers.
+    unsafe {
+        warn(solver, (buffer, capacity, count), |of| {
+            Ok(of.remarks.clone())
+        })
+    }
 }
 
 /// Creates an empty solution of the right size for a solver.
@@ -523,9 +587,11 @@ pub unsafe extern "C" fn stickslip_rolling_solution_zones(
 }
 
 /// Writes the energy that slip dissipates in each cell per area and per length rolled (a pressure) to values, which has count
-/// entries. Its product with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of
-/// a cell instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
-/// the work of creepages and spin; the difference decreases with the cell size.
+/// entries. The cells are fixed in the contact, and the particles of both surfaces pass through them. The value of a cell is
+/// therefore not the wear of a particle. In each passage, a particle loses the wear coefficient times the sum of the values
+/// over the cells of its line along the rolling direction, times their side along this line. Add this depth to whole lines of
+/// the gap. A wheel with the circumference U makes L/U passages over the length L. Between bodies of the same material, the
+/// integral of this energy is smaller than the work of creepages and spin; the difference decreases with the cell size.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_dissipation_per_area(
     solution: *const stickslip_rolling_solution,

@@ -8,7 +8,7 @@ use stickslip_rs::rolling::{
 };
 use stickslip_rs::{
     CoupledSolution, CoupledSolver, Field, Friction, Grid, Iteration, NormalSolution, NormalSolver,
-    Result, TangentialSolution, TangentialSolver,
+    Result, TangentialSolution, TangentialSolver, Warning,
 };
 
 use crate::call::{Outcome, call_on};
@@ -23,6 +23,15 @@ use crate::status::stickslip_status;
 pub struct Solver<S> {
     pub(crate) own: S,
     pub(crate) grid: Grid,
+    /// Warnings of the last call that returned several results, each kind once.
+    pub(crate) remarks: Vec<Warning>,
+}
+
+impl<S> Solver<S> {
+    pub(crate) fn new(own: S, grid: Grid) -> Self {
+        let remarks = Vec::new();
+        Self { own, grid, remarks }
+    }
 }
 
 /// Solver of the crate.

@@ -39,7 +39,8 @@ pub const STICKSLIP_CYCLE_NOT_CLOSED: i32 = 12;
 /// stickslip_history_set_state or stickslip_history_from_bytes.
 pub const STICKSLIP_NO_LAST_STEP: i32 = 13;
 /// A stiffness was requested after a change of friction, gap, pressure or load, to which the last solution does not belong. Solve
-/// again, or take a step, before you compute the stiffness.
+/// again, or take a step, before you compute the stiffness. Or a rolling solver does not have the pressure of a normal load: set a
+/// normal load before you copy its normal contact.
 pub const STICKSLIP_OUTDATED_SOLUTION: i32 = 14;
 
 /// A required handle or another required pointer is NULL or misaligned.

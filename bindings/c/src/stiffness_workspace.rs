@@ -24,8 +24,8 @@ opaque!(stickslip_stiffness_workspace holds StiffnessWorkspace, named "stiffness
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_stiffness_options {
-    /// Relative residual at which the linear problems count as solved (default 1e-11). The error of a stiffness is of the
-    /// order of the square of this residual.
+    /// Relative residual at which the linear problems count as solved, between 0 and 1 (default 1e-11). The error of a
+    /// stiffness is of the order of the square of this residual.
     pub tolerance: f64,
     /// Nonzero (default 1) to compute the stiffness at reversal. Zero halves the cost, and the entries at reversal are NaN.
     pub reversal: i32,

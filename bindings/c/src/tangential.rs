@@ -142,7 +142,7 @@ unsafe fn new(
     }
     let problem = problem.build()?;
     let own = problem.into_solver()?;
-    give(place, Solver { own, grid }, grid.cells())
+    give(place, Solver::new(own, grid), grid.cells())
 }
 
 /// Frees a solver; does nothing if it is NULL.

@@ -136,6 +136,24 @@ static void a_creep_curve_goes_from_nothing_to_sliding(stickslip_rolling_solver 
     CHECK(stickslip_rolling_solver_creep_forces(solver, points, 11, NULL) == STICKSLIP_BAD_POINTER);
 }
 
+static void creepages_in_per_cent_cause_a_warning(stickslip_rolling_solver *solver) {
+    stickslip_creep_point small[2] = {{{0.0, 0.0}, 0.0}, {{0.01, 0.0}, 0.0}};
+    stickslip_creep_point large[3] = {{{0.0, 0.0}, 0.0}, {{0.2, 0.0}, 0.0}, {{0.3, 0.0}, 0.0}};
+    stickslip_creep_force forces[3];
+    stickslip_warning warning = {0};
+    size_t count = 7;
+    OK(stickslip_rolling_solver_creep_forces(solver, large, 3, forces));
+    OK(stickslip_rolling_solver_creep_warnings(solver, NULL, 0, &count));
+    CHECK(count == 1);
+    OK(stickslip_rolling_solver_creep_warnings(solver, &warning, 1, &count));
+    CHECK(count == 1 && warning.kind == STICKSLIP_WARNING_LARGE_CREEPAGE && strstr(warning.message, "by 20 %") != NULL);
+    /* The warnings belong to the last call. */
+    OK(stickslip_rolling_solver_creep_forces(solver, small, 2, forces));
+    OK(stickslip_rolling_solver_creep_warnings(solver, NULL, 0, &count));
+    CHECK(count == 0);
+    CHECK(stickslip_rolling_solver_creep_warnings(solver, NULL, 0, NULL) == STICKSLIP_BAD_POINTER);
+}
+
 static void what_is_refused_leaves_the_solver(stickslip_rolling_solver *solver, stickslip_rolling_solution *solution) {
     stickslip_rolling_load load = by_creepage(0.05, 0.0, 0.0);
     OK(stickslip_rolling_solver_set_load(solver, &load));
@@ -428,8 +446,14 @@ static void a_solver_takes_new_loads(const stickslip_half_space *bodies, const s
     stickslip_normal_solution *light = press(bodies, gap, CELLS, 0.8);
     stickslip_rolling_solver *solver = NULL, *other = NULL;
     stickslip_rolling_solution *solution = NULL;
-    double capacity = 0.0;
+    double capacity = 0.0, coarse_gap[CELLS / 4];
     size_t warnings = 1;
+    stickslip_grid coarse = {N / 2, N / 2, 6.0 / N, 6.0 / N};
+    stickslip_half_space *coarse_bodies = NULL;
+    stickslip_normal_result of_copy, of_light;
+    OK(stickslip_surface_sphere(&coarse, 1.0, coarse_gap, CELLS / 4));
+    OK(stickslip_half_space_new(&coarse, &BODY, &BODY, NULL, &coarse_bodies));
+    stickslip_normal_solution *copy = press(bodies, gap, CELLS, 0.5), *elsewhere = press(coarse_bodies, coarse_gap, CELLS / 4, 1.0);
     OK(stickslip_normal_solver_new(bodies, gap, CELLS, &load, NULL, NULL, &presser));
     OK(stickslip_rolling_solver_new(bodies, pressed, &friction, &creepage, NULL, &solver));
     OK(stickslip_rolling_solver_new(bodies, light, &friction, &creepage, NULL, &other));
@@ -437,7 +461,16 @@ static void a_solver_takes_new_loads(const stickslip_half_space *bodies, const s
     load.value = 0.8;
     CHECK(stickslip_rolling_solver_set_normal_load(solver, &load) == STICKSLIP_UNSUPPORTED_BY_MODEL);
     OK(stickslip_rolling_solver_set_normal_solver(solver, presser));
+    CHECK(stickslip_rolling_solver_normal(solver, copy) == STICKSLIP_OUTDATED_SOLUTION);
+    CHECK(strstr(stickslip_last_error_message(), "set a normal solver and a normal load first") != NULL);
     OK(stickslip_rolling_solver_set_normal_load(solver, &load));
+    OK(stickslip_rolling_solver_normal(solver, copy));
+    OK(stickslip_normal_solution_result(copy, &of_copy));
+    CLOSE(of_copy.force, 0.8, 1e-6);
+    OK(stickslip_normal_solution_result(light, &of_light));
+    CLOSE(of_copy.approach, of_light.approach, 1e-6);
+    CHECK(stickslip_rolling_solver_normal(solver, elsewhere) == STICKSLIP_GRID_MISMATCH);
+    CHECK(stickslip_rolling_solver_normal(solver, NULL) == STICKSLIP_BAD_POINTER);
     OK(stickslip_rolling_solver_friction_capacity(solver, &capacity));
     CLOSE(capacity, 0.8 * FRICTION, 1e-6);
     double expected = solve(other, solution).force[0];
@@ -450,6 +483,13 @@ static void a_solver_takes_new_loads(const stickslip_half_space *bodies, const s
     expected = solve(other, solution).force[0];
     CLOSE(solve(solver, solution).force[0], expected, 1e-6);
     CHECK(stickslip_rolling_solver_set_pressure(solver, gap, CELLS) == STICKSLIP_UNSUPPORTED_BY_MODEL);
+    OK(stickslip_rolling_solver_set_normal(solver, pressed));
+    CHECK(stickslip_rolling_solver_normal(solver, copy) == STICKSLIP_OUTDATED_SOLUTION);
+    OK(stickslip_normal_solution_result(copy, &of_copy));
+    CLOSE(of_copy.force, 0.8, 1e-6);
+    OK(stickslip_normal_solution_free(copy));
+    OK(stickslip_normal_solution_free(elsewhere));
+    OK(stickslip_half_space_free(coarse_bodies));
     OK(stickslip_rolling_solution_free(solution));
     OK(stickslip_rolling_solver_free(other));
     OK(stickslip_rolling_solver_free(solver));
@@ -474,6 +514,7 @@ int main(void) {
     small_creepages_have_the_coefficients_of_kalker(solver, solution, hertz.contact_radius);
     loads_have_the_motions_that_cause_them(solver, solution);
     a_creep_curve_goes_from_nothing_to_sliding(solver);
+    creepages_in_per_cent_cause_a_warning(solver);
     what_is_refused_leaves_the_solver(solver, solution);
     friction_changes_and_the_last_answer_is_forgotten(solver, solution);
     long_calls_ask_their_observer(solver);

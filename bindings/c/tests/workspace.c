@@ -60,11 +60,11 @@ static void options_apply(const stickslip_history *history) {
     CHECK(coarse.iterations < report.iterations && coarse.residual <= 1e-3);
 
     /* A failure leaves the options and the result unchanged. */
-    options.tolerance = -1.0;
-    CHECK(stickslip_stiffness_workspace_set_options(workspace, &options) == STICKSLIP_NOT_POSITIVE);
+    options.tolerance = 1.0;
+    CHECK(stickslip_stiffness_workspace_set_options(workspace, &options) == STICKSLIP_TOLERANCE);
     CHECK(stickslip_stiffness_workspace_set_options(workspace, NULL) == STICKSLIP_BAD_POINTER);
     stickslip_stiffness_workspace *other = NULL;
-    CHECK(stickslip_stiffness_workspace_new(&options, &other) == STICKSLIP_NOT_POSITIVE && other == NULL);
+    CHECK(stickslip_stiffness_workspace_new(&options, &other) == STICKSLIP_TOLERANCE && other == NULL);
     options.tolerance = 1e-11, options.reserved[0] = 1;
     CHECK(stickslip_stiffness_workspace_set_options(workspace, &options) == STICKSLIP_UNKNOWN_OPTION);
     stickslip_observer observer = {stop, NULL};

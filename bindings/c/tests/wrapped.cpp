@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -250,7 +251,7 @@ int main() {
     check(ahead.tangential.loading[0][0] == same.next_stiffness().tangential.loading[0][0], "stiffness of the next step");
     check(std::isnan(ahead.tangential.reversal[0][0]), "no stiffness at reversal");
     options.tolerance = 0.0;
-    fails(STICKSLIP_NOT_POSITIVE, [&] { workspace.set_options(options); });
+    fails(STICKSLIP_TOLERANCE, [&] { workspace.set_options(options); });
     fails(STICKSLIP_NOT_CONVERGED, [&] { same.stiffness(workspace, [](const ss::Iteration &) { return false; }); });
 
     // Rolling: Carter's force, and a creep curve of a ball from zero force to sliding.
@@ -306,6 +307,18 @@ int main() {
     check(kept_forces.empty(), "no point of an invalid curve");
     roller.creep_forces_into(two_points, kept_forces);
     check(kept_forces.size() == 2 && kept_forces[1].force[0] > kept_forces[0].force[0], "a creep curve in a vector");
+    // Creepages in per cent cause one warning for the whole curve.
+    roller.creep_forces({{{0.2, 0.0}, 0.0}, {{0.3, 0.0}, 0.0}});
+    check(roller.creep_warnings().size() == 1 && roller.creep_warnings()[0].kind == STICKSLIP_WARNING_LARGE_CREEPAGE,
+          "warnings of a creep curve");
+    // The normal contact of a new load, computed by a copy of the normal solver.
+    ss::NormalSolver reused(bodies, ss::sphere(grid, 5.0), press);
+    ss::NormalSolution lighter = reused.solve();
+    fails(STICKSLIP_OUTDATED_SOLUTION, [&] { roller.normal(lighter); });
+    roller.set_normal_solver(reused);
+    roller.set_normal_load(ss::press_by_force(90.0));
+    roller.normal(lighter);
+    check(std::fabs(lighter.result().force / 90.0 - 1.0) < 1e-8, "normal contact of a rolling solver");
     const stickslip_kalker kalker = ss::kalker_coefficients(1.0, steel.poisson_ratio);
     check(std::fabs(kalker.c11 * unit / linear - 1.0) < 0.02, "C11 of the table");
     const stickslip_vermeulen_johnson slight = ss::vermeulen_johnson_ellipse(bodies, 5.0, 5.0, 100.0, 0.3, 1e-7, 0.0);
@@ -341,6 +354,13 @@ int main() {
     check(std::fabs(sideways.twist / (2.0 * grid.dx * 1e-3) - 1.0) < 1e-12, "spin over two cells");
     check(std::fabs((sideways.shift[1] - twice.shift[1]) / (2.0 * grid.dx * 1e-4) - 1.0) < 1e-12, "travel of two cells");
     fails(STICKSLIP_UNSUPPORTED_BY_MODEL, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
+    std::string refused;
+    try {
+        ss::rolled(ss::step(ss::held_pressure(), ss::force(0.5 * once)), 0);
+    } catch (const std::invalid_argument &reason) {
+        refused = reason.what();
+    }
+    check(refused == "rolled: cells is 0: a rolling step covers at least one cell", "rolling by no cells");
 
     // A bulk strain makes cells slip without a force.
     const ss::RelativeDisplacement bulk = ss::bulk_strain(bodies, 1e-3, 0.0, 0.0);

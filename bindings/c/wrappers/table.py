@@ -115,8 +115,8 @@ FILES = [
                "traction_x traction_y slip_x slip_y"),
         Object("rolling_solver", "RollingSolver", "rolling_solver", [
             "new set_load set_friction", Method("set_normal", cpp="set_pressure"),
-            "set_pressure set_normal_solver set_normal_load friction_capacity set_settings reset solve stiffness",
-            Method("creep_forces", into=True)]),
+            "set_pressure set_normal_solver set_normal_load normal friction_capacity set_settings reset solve stiffness",
+            Method("creep_forces", into=True), "creep_warnings"]),
         Object("coupled_rolling_solution", "CoupledRollingSolution", "coupled_rolling_solution", [
             "field zones", cpp_only("normal_result", c="results", part="normal"),
             cpp_only("rolling_result", c="results", part="rolling"), f_only("results"), "report warnings"],

@@ -127,7 +127,7 @@ METHODS = {
         "tensor_preconditioner": "of minima with several components a cell: engine generics",
     },
     "adaptive::AdaptiveSolution": {"estimate": "estimates[quantity]", "position": "x[ix], y[iy]"},
-    "adaptive::SampledGap": {"heights": "the Field"},
+    "adaptive::SampledGap": {"samples": "the Field"},
     "cgm::Problem": {"totals": "of minima with several components a cell: engine generics"},
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},

@@ -40,6 +40,9 @@ impl RollingSolver {
     /// [`stiffness`](Self::stiffness) returns an error. If the contact is within the largest window so far, no memory is
     /// allocated.
     ///
+    /// This call does not change the gap of the [normal solver](Self::set_normal_solver), from which
+    /// [`set_normal_load`](Self::set_normal_load) computes the pressure. After wear, set the normal solver again.
+    ///
     /// # Errors
     /// - [`Error::UnsupportedByModel`] for a field if the entry rule is active.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
@@ -90,8 +93,8 @@ impl RollingSolver {
     /// Sets the solver that computes the pressure of a new load with its own gap, hardness and settings.
     ///
     /// This call does not change the pressure. [`set_normal_load`](Self::set_normal_load) solves for the pressure over the gap of
-    /// `solver` and uses this pressure. `solver` need not have solved before. Its gap may differ from the gap of the present
-    /// pressure, for example after wear. The grid, the boundary, the cell values and the materials must be equal, but the solver
+    /// `solver` and uses this pressure, until another normal solver is set. `solver` need not have solved before. Its gap may differ
+    /// from the gap of the present pressure, for example after wear. The grid, the boundary, the cell values and the materials must be equal, but the solver
     /// may use another [`HalfSpace`](crate::HalfSpace) with these properties.
     ///
     /// # Errors
@@ -111,7 +114,8 @@ impl RollingSolver {
     }
 
     /// Sets the normal load of the next solve and computes the pressure under this load, starting from the last
-    /// pressure. This function requires a [normal solver](Self::set_normal_solver). Once the window covers the largest
+    /// pressure. This function requires a [normal solver](Self::set_normal_solver). It uses the gap of this solver, not that of the
+    /// last [`set_pressure`](Self::set_pressure). After wear, set the normal solver again. Once the window covers the largest
     /// contact, no memory is allocated.
     ///
     /// # Errors

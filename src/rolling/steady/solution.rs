@@ -250,11 +250,17 @@ impl RollingSolution {
         xi * x + eta * y + self.spin * about_middles
     }
 
-    /// Returns the energy that slip dissipates in each cell per area and per length rolled, $`-q \cdot s`$ (a pressure). Its
-    /// product with a wear coefficient is the depth worn per length rolled. [`wear::energy`](crate::history::wear::energy)
-    /// requires the energy of a cell instead: multiply by the area of a cell and by the length rolled. The energy is evaluated
-    /// with the tractions at the end of a step. Between bodies of the same material the integral of this energy is therefore
-    /// less than the [work](Self::work). The difference decreases with the cell size.
+    /// Returns the energy that slip dissipates in each cell per area and per length rolled, $`-q \cdot s`$ (a pressure).
+    ///
+    /// The cells are fixed in the contact, and the particles of both surfaces pass through them. The value of a cell is therefore
+    /// not the wear of a particle. A particle loses the following depth in each passage: the wear coefficient times the sum of
+    /// the values over the cells of its line along the rolling direction, times their side along this line. The depth is uniform
+    /// along the line: add it to whole lines of the gap, not to single cells. A wheel with the circumference U makes L/U passages
+    /// over the length L. The worn volume is the wear coefficient times L times the integral of the values over the grid. The
+    /// guide has an [example](crate::guide::rolling#wear-in-steady-rolling).
+    ///
+    /// The energy is evaluated with the tractions at the end of a step. Between bodies of the same material the integral of this
+    /// energy is therefore less than the [work](Self::work). The difference decreases with the cell size.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

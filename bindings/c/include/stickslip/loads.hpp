@@ -36,9 +36,13 @@ inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(),
 
 /// Returns the step with rolling by a number of cells and with creepages; the leading edge is at the largest x by default.
 /// A creepage is a motion of body 2 over body 1, opposite to Kalker's. Along an axis with a prescribed force, the creepage is a
-/// result and must be zero here.
+/// result and must be zero here. Throws std::invalid_argument if the number of cells is zero, because the step would then not
+/// roll.
 inline LoadStep rolled(LoadStep step, std::uint32_t cells, double creepage_x = 0.0, double creepage_y = 0.0,
                        double spin = 0.0, std::int32_t leading_edge = STICKSLIP_PLUS_X) {
+    if (cells == 0) {
+        throw std::invalid_argument("rolled: cells is 0: a rolling step covers at least one cell");
+    }
     step.roll = {cells, leading_edge, {creepage_x, creepage_y}, spin};
     return step;
 }

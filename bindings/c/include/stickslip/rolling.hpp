@@ -55,10 +55,13 @@ class RollingSolution {
             return stickslip_rolling_solution_warnings(get(), to...);
         });
     }
-    /// Returns the energy that slip dissipates in each cell per area and per length rolled (a pressure). Its product
-    /// with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of a cell
-    /// instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is
-    /// smaller than the work of creepages and spin; the difference decreases with the cell size.
+    /// Returns the energy that slip dissipates in each cell per area and per length rolled (a pressure). The cells are
+    /// fixed in the contact, and the particles of both surfaces pass through them. The value of a cell is therefore not
+    /// the wear of a particle. In each passage, a particle loses the wear coefficient times the sum of the values over
+    /// the cells of its line along the rolling direction, times their side along this line. Add this depth to whole
+    /// lines of the gap. A wheel with the circumference U makes L/U passages over the length L. Between bodies of the
+    /// same material, the integral of this energy is smaller than the work of creepages and spin; the difference
+    /// decreases with the cell size.
     std::vector<double> dissipation_per_area() const {
         std::vector<double> values(cells());
         check(stickslip_rolling_solution_dissipation_per_area(get(), values.data(), values.size()));
@@ -117,17 +120,25 @@ class RollingSolver {
         check(stickslip_rolling_solver_set_pressure(get(), pressure.data(), pressure.size()));
     }
     /// Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap,
-    /// hardness and settings. This call does not change the pressure. RollingSolver::set_normal_load solves for the
-    /// pressure over the gap of the normal solver, which may differ from the gap of the present pressure. Grid,
-    /// boundary, cell values and materials must be equal. The normal solver need not have solved before.
+    /// hardness and settings: call this function again after each change of its gap. This call does not change the
+    /// pressure. RollingSolver::set_normal_load solves for the pressure over the gap of the normal solver, which may
+    /// differ from the gap of the present pressure. Grid, boundary, cell values and materials must be equal. The normal
+    /// solver need not have solved before.
     void set_normal_solver(const NormalSolver &normal) {
         check(stickslip_rolling_solver_set_normal_solver(get(), normal.get()));
     }
     /// Sets the normal load of the next solve and solves for its pressure. Throws STICKSLIP_UNSUPPORTED_BY_MODEL if
-    /// RollingSolver::set_normal_solver has set no normal solver. After a failure the solver is unchanged.
+    /// RollingSolver::set_normal_solver has set no normal solver. The gap is that of the normal solver, not that of the
+    /// last RollingSolver::set_pressure: after wear, set the normal solver again. After a failure the solver is
+    /// unchanged.
     void set_normal_load(const stickslip_normal_load &load) {
         check(stickslip_rolling_solver_set_normal_load(get(), &load));
     }
+    /// Copies the normal contact that RollingSolver::set_normal_load has computed to a normal solution on the same
+    /// grid. Throws STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is,
+    /// before the first load or after another pressure was set. Throws STICKSLIP_GRID_MISMATCH for a solution on
+    /// another grid. After a failure the solution is unchanged.
+    void normal(NormalSolution &solution) const { check(stickslip_rolling_solver_normal(get(), solution.get())); }
     /// Returns the largest tangential force that friction can carry.
     double friction_capacity() const {
         double found{};
@@ -187,6 +198,15 @@ class RollingSolver {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return detail::kept(stickslip_rolling_solver_creep_forces_observed(get(), points.data(), points.size(),
                 observer, forces.data()), forces);
+        });
+    }
+    /// Returns the warnings about the loads of the points that the last call of RollingSolver::creep_forces has solved.
+    /// They include a creepage that may be in per cent. Each kind is listed once, for the first point that has it. The
+    /// list is empty before the first call. RollingSolution::warnings also contains the warnings about the contact,
+    /// which is the same at all points.
+    std::vector<stickslip_warning> creep_warnings() const {
+        return detail::listed<stickslip_warning>([&](auto... to) {
+            return stickslip_rolling_solver_creep_warnings(get(), to...);
         });
     }
     stickslip_rolling_solver *get() const { return own_.get(); }

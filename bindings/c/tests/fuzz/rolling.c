@@ -83,6 +83,7 @@ void roll(struct run *run) {
         stickslip_normal_load pressing = {option(run, 3), number(run, 1.0)};
         SEEN(stickslip_rolling_solver_set_normal_solver(solver, GET(stickslip_normal_solver, pick(run, NORMAL))));
         SEEN(stickslip_rolling_solver_set_normal_load(solver, maybe(run, &pressing)));
+        SEEN(stickslip_rolling_solver_normal(solver, GET(stickslip_normal_solution, pick(run, PRESSED))));
         break;
     }
     case 12: {
@@ -91,6 +92,7 @@ void roll(struct run *run) {
         size_t found;
         SEEN(stickslip_rolling_solver_friction_capacity(solver, maybe_out(run, &capacity)));
         SEEN(stickslip_rolling_solution_warnings(solution, warnings, below(run, POINTS + 1), maybe_out(run, &found)));
+        SEEN(stickslip_rolling_solver_creep_warnings(solver, warnings, below(run, POINTS + 1), maybe_out(run, &found)));
         break;
     }
     default:

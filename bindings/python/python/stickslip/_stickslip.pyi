@@ -373,7 +373,9 @@ class AdaptiveSolution:
     def history(self, /) -> History | None:
         """
         The history after its first step, for further steps on the same grid; ``None`` without ``first_step``. Further steps
-        do not change the other attributes of this solution.
+        do not change the other attributes of this solution. The tolerance of the history is 2 % of the smallest target (2e-4
+        for the default targets); call ``set_settings`` for a smaller tolerance. Its grid is centred on ``centre``: add the
+        centre to positions.
         """
     @property
     def is_reached(self, /) -> bool:
@@ -6185,10 +6187,12 @@ class RollingSolution:
     @property
     def dissipation_per_area(self, /) -> NDArray[float64]:
         """
-        Energy dissipated by slip in each cell per area and per length rolled (a pressure). Its product with a wear coefficient
-        is the depth worn per length rolled. ``wear.energy`` requires the energy of a cell instead: multiply by the area of a
-        cell. Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
-        with the cell size.
+        Energy dissipated by slip in each cell per area and per length rolled (a pressure). The cells are fixed in the contact,
+        and the particles of both surfaces pass through them. The value of a cell is therefore not the wear of a particle. In
+        each passage, a particle loses the wear coefficient times the sum of the values over the cells of its line along the
+        rolling direction, times their side along this line. Add this depth to whole lines of the gap. A wheel with the
+        circumference U makes L/U passages over the length L. Between bodies of the same material, the integral of this energy
+        is less than the work; the difference decreases with the cell size.
         """
     @property
     def force(self, /) -> tuple[float, float]:

@@ -178,7 +178,9 @@ impl AdaptiveSolution {
     }
 
     /// The history after its first step, for further steps on the same grid; ``None`` without ``first_step``. Further steps
-    /// do not change the other attributes of this solution.
+    /// do not change the other attributes of this solution. The tolerance of the history is 2 % of the smallest target (2e-4
+    /// for the default targets); call ``set_settings`` for a smaller tolerance. Its grid is centred on ``centre``: add the
+    /// centre to positions.
     #[getter]
     fn history(&self, py: Python<'_>) -> PyResult<Option<Py<History>>> {
         let made = self.history.get_or_try_init(py, || {

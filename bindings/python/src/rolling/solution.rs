@@ -80,10 +80,12 @@ impl RollingSolution {
         zones(py, self.0.grid(), self.0.zones())
     }
 
-    /// Energy dissipated by slip in each cell per area and per length rolled (a pressure). Its product with a wear coefficient
-    /// is the depth worn per length rolled. ``wear.energy`` requires the energy of a cell instead: multiply by the area of a
-    /// cell. Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
-    /// with the cell size.
+    /// Energy dissipated by slip in each cell per area and per length rolled (a pressure). The cells are fixed in the contact,
+    /// and the particles of both surfaces pass through them. The value of a cell is therefore not the wear of a particle. In
+    /// each passage, a particle loses the wear coefficient times the sum of the values over the cells of its line along the
+    /// rolling direction, times their side along this line. Add this depth to whole lines of the gap. A wheel with the
+    /// circumference U makes L/U passages over the length L. Between bodies of the same material, the integral of this energy
+    /// is less than the work; the difference decreases with the cell size.
     #[getter]
     fn dissipation_per_area<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let dissipation = self.0.dissipation_per_area().or_raise(py)?;
