@@ -106,7 +106,7 @@ impl CoupledIncrement {
             motion: RigidMotion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
-            last_gap: LastGap::default(),
+            last_gap: LastGap::new(grid)?,
             report: CoupledReport::unsolved(),
             bodies: bodies.clone(),
         })

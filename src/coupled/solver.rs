@@ -88,7 +88,7 @@ impl CoupledSolver {
         let checked = gap.check("gap", bodies.grid());
         bodies.collective_result(checked.and_then(|()| last.check(gap)))?;
         self.problem.normal.check(bodies, gap, None)?;
-        self.engine.last_gap.store(&self.problem.gap)?;
+        self.engine.last_gap.store(&self.problem.gap);
         field::replace(&mut self.problem.gap, gap)
     }
 

@@ -2,11 +2,12 @@
 
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
+use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::TryClone;
 use crate::normal::NormalSolution;
+use crate::parallel;
 
 /// Fraction of the largest change below which a change counts as none. Wear can be interpolated or smoothed before it is added.
 const NEGLIGIBLE: f64 = 1e-3;
@@ -139,34 +140,35 @@ impl LoadedCell {
 }
 
 /// Gap of the last solve of a solver whose gap can change.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct LastGap {
     /// Gap of the last solve, if the gap has changed since. Otherwise a buffer.
-    gap: Option<Field>,
+    gap: Field,
     has_changed: bool,
     loaded: Option<LoadedCell>,
 }
 
 impl LastGap {
+    /// Allocates the buffer.
+    pub(crate) fn new(grid: Grid) -> Result<Self> {
+        Ok(Self {
+            gap: Field::try_zeros(grid)?,
+            has_changed: false,
+            loaded: None,
+        })
+    }
+
     /// Returns an error if a new gap is the gap under load of the last solution.
     pub(crate) fn check(&self, gap: &Field) -> Result<()> {
         self.loaded.map_or(Ok(()), |cell| cell.check_differs(gap))
     }
 
     /// Stores the gap of the last solve before it changes. Later changes before the next solve do not replace it.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`] if memory runs out.
-    pub(crate) fn store(&mut self, gap: &Field) -> Result<()> {
-        if self.has_changed {
-            return Ok(());
+    pub(crate) fn store(&mut self, gap: &Field) {
+        if !self.has_changed {
+            parallel::copy(gap.as_slice(), self.gap.as_mut_slice());
+            self.has_changed = true;
         }
-        match &mut self.gap {
-            Some(own) => own.try_clone_from(gap)?,
-            own => *own = Some(gap.try_clone()?),
-        }
-        self.has_changed = true;
-        Ok(())
     }
 
     /// Returns the change of the gap since the last solve if it resembles wear. The pressure and the approach are those of the
@@ -179,13 +181,12 @@ impl LastGap {
     ) -> GapChange {
         self.loaded = None;
         let has_changed = std::mem::take(&mut self.has_changed);
-        let gap = self.gap.as_ref().filter(|_| has_changed);
-        let Some((gap, (pressure, approach))) = gap.zip(last) else {
+        let Some((pressure, approach)) = last.filter(|_| has_changed) else {
             return GapChange::default();
         };
         let last = PressedGap {
             bodies,
-            gap,
+            gap: &self.gap,
             pressure,
             approach,
         };

@@ -47,11 +47,9 @@ pub(crate) struct NormalBuffers {
     last_gap: LastGap,
 }
 
-impl NormalBuffers {
-    fn last_contact(&self) -> Option<(&[f64], f64)> {
-        let has_solved = self.press.window().is_some();
-        has_solved.then(|| (&self.pressure[..], self.press.approach()))
-    }
+/// Returns the last pressure and its approach, or `None` before the first solve.
+fn last_contact<'a>(press: &PressureSolver, pressure: &'a [f64]) -> Option<(&'a [f64], f64)> {
+    press.window().map(|_| (pressure, press.approach()))
 }
 
 impl NormalSolver {
@@ -111,7 +109,7 @@ impl NormalSolver {
         let last = &self.engine.last_gap;
         bodies.collective_result(check_gap(bodies, gap).and_then(|()| last.check(gap)))?;
         self.problem.load.check(bodies, gap, None)?;
-        self.engine.last_gap.store(&self.problem.gap)?;
+        self.engine.last_gap.store(&self.problem.gap);
         field::replace(&mut self.problem.gap, gap)
     }
 
@@ -123,7 +121,7 @@ impl NormalSolver {
 
     /// Returns the last pressure and its approach, or `None` before the first solve.
     pub(crate) fn last_contact(&self) -> Option<(&[f64], f64)> {
-        self.engine.last_contact()
+        last_contact(&self.engine.press, &self.engine.pressure)
     }
 
     /// Changes the largest pressure that the cells can carry in the next solve.
@@ -177,7 +175,7 @@ impl Model<NormalSolution> for NormalProblem {
         Ok(NormalBuffers {
             press: PressureSolver::new(),
             pressure: bodies.collective_result(fallible::zeros(grid.cells()))?,
-            last_gap: LastGap::default(),
+            last_gap: bodies.collective_result(LastGap::new(grid))?,
         })
     }
 
@@ -197,11 +195,12 @@ impl Model<NormalSolution> for NormalProblem {
         observer: Observer<'_>,
     ) -> Result<()> {
         let of = solver.problem.pressing();
-        let mut last_gap = std::mem::take(&mut solver.engine.last_gap);
-        let wear = last_gap.take_wear(of.bodies, of.gap, solver.engine.last_contact());
         let NormalBuffers {
-            press, pressure, ..
+            press,
+            pressure,
+            last_gap,
         } = &mut solver.engine;
+        let wear = last_gap.take_wear(of.bodies, of.gap, last_contact(press, pressure));
         press.discard_costly_start(&of, pressure);
         let outcome = press.solve(&of, pressure, observer);
         if has_iterate(&outcome) {
@@ -210,7 +209,6 @@ impl Model<NormalSolution> for NormalProblem {
             solution.measure_scale(of.bodies, of.gap);
             last_gap.finish((of.bodies, of.gap), wear, solution);
         }
-        solver.engine.last_gap = last_gap;
         outcome
     }
 

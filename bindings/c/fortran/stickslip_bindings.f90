@@ -485,6 +485,8 @@ module stickslip_bindings
     ! again, or take a step, before you compute the stiffness. Or a rolling solver does not have the pressure of a normal load: set a
     ! normal load before you copy its normal contact.
     integer(c_int32_t), parameter, public :: STICKSLIP_OUTDATED_SOLUTION = 14
+    ! A new gap is the gap under load of the last solution. Add the wear to the gap before loading.
+    integer(c_int32_t), parameter, public :: STICKSLIP_GAP_UNDER_LOAD = 15
     ! A required handle or another required pointer is NULL or misaligned.
     integer(c_int32_t), parameter, public :: STICKSLIP_BAD_POINTER = 32
     ! Another thread is using the handle, or a batch contains it twice; nothing was done with it.
@@ -1822,7 +1824,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solver_set_loads
 
-        ! Sets the gap before loading of the next solve (lengths, count entries, copied).
+        ! Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+        ! of the last solution, which is the gap under load.
         function stickslip_coupled_solver_set_gap(solver, gap, count) result(answer) bind(c)
             import
             type(stickslip_coupled_solver), value :: solver
@@ -1988,7 +1991,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_rolling_solver_set_load
 
-        ! Sets the gap before loading of the next solve (lengths, count entries, copied).
+        ! Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+        ! of the last solution, which is the gap under load.
         function stickslip_coupled_rolling_solver_set_gap(solver, gap, count) result(answer) bind(c)
             import
             type(stickslip_coupled_rolling_solver), value :: solver
@@ -2455,7 +2459,7 @@ module stickslip_bindings
         end function stickslip_history_press_stepwise
 
         ! Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
-        ! a step prescribes a normal load.
+        ! a step prescribes a normal load. Returns STICKSLIP_GAP_UNDER_LOAD for the gap under load of the present contact.
         function stickslip_history_set_gap(history, gap, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2677,7 +2681,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solver_set_load
 
-        ! Sets the gap before loading of the next solve (lengths, count entries, copied).
+        ! Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+        ! of the last solution, which is the gap under load.
         function stickslip_normal_solver_set_gap(solver, gap, count) result(answer) bind(c)
             import
             type(stickslip_normal_solver), value :: solver

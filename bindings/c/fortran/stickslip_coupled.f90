@@ -214,7 +214,8 @@ contains
         call report_status(stickslip_coupled_solver_set_loads(this%handle, normal, tangential), status)
     end subroutine coupled_solver_set_loads
 
-    ! Sets the gap before loading of the next solve (lengths).
+    ! Sets the gap before loading of the next solve (lengths). Returns STICKSLIP_GAP_UNDER_LOAD for the gap of the last
+    ! solution, which is the gap under load.
     subroutine coupled_solver_set_gap(this, gap, status)
         class(coupled_solver), intent(in) :: this
         real(c_double), intent(in), contiguous :: gap(:, :)

@@ -229,7 +229,7 @@ contains
     end subroutine history_press
 
     ! Sets the gap before loading (lengths), for example after wear. The pressure does not change until a step
-    ! prescribes a normal load.
+    ! prescribes a normal load. Returns STICKSLIP_GAP_UNDER_LOAD for the gap under load of the present contact.
     subroutine history_set_gap(this, gap, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in), contiguous :: gap(:, :)

@@ -199,7 +199,8 @@ contains
         call report_status(stickslip_normal_solver_set_load(this%handle, load), status)
     end subroutine normal_solver_set_load
 
-    ! Sets the gap before loading of the next solve (lengths).
+    ! Sets the gap before loading of the next solve (lengths). Returns STICKSLIP_GAP_UNDER_LOAD for the gap of the last
+    ! solution, which is the gap under load.
     subroutine normal_solver_set_gap(this, gap, status)
         class(normal_solver), intent(in) :: this
         real(c_double), intent(in), contiguous :: gap(:, :)

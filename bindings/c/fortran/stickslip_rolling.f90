@@ -518,7 +518,8 @@ contains
         call report_status(stickslip_coupled_rolling_solver_set_load(this%handle, load), status)
     end subroutine coupled_rolling_solver_set_load
 
-    ! Sets the gap before loading of the next solve (lengths).
+    ! Sets the gap before loading of the next solve (lengths). Returns STICKSLIP_GAP_UNDER_LOAD for the gap of the last
+    ! solution, which is the gap under load.
     subroutine coupled_rolling_solver_set_gap(this, gap, status)
         class(coupled_rolling_solver), intent(in) :: this
         real(c_double), intent(in), contiguous :: gap(:, :)

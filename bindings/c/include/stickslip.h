@@ -450,6 +450,9 @@
 // normal load before you copy its normal contact.
 #define STICKSLIP_OUTDATED_SOLUTION 14
 
+// A new gap is the gap under load of the last solution. Add the wear to the gap before loading.
+#define STICKSLIP_GAP_UNDER_LOAD 15
+
 // A required handle or another required pointer is NULL or misaligned.
 #define STICKSLIP_BAD_POINTER 32
 
@@ -1756,8 +1759,11 @@ stickslip_status stickslip_coupled_solver_set_loads(stickslip_coupled_solver *so
                                                     const stickslip_normal_load *normal,
                                                     const stickslip_tangential_load *tangential);
 
-// Sets the gap before loading of the next solve (lengths, count entries, copied).
-stickslip_status stickslip_coupled_solver_set_gap(stickslip_coupled_solver *solver, const double *gap, size_t count);
+// Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+// of the last solution, which is the gap under load.
+stickslip_status stickslip_coupled_solver_set_gap(stickslip_coupled_solver *solver,
+                                                  const double *gap,
+                                                  size_t count);
 
 // Sets the friction of the next solve.
 stickslip_status stickslip_coupled_solver_set_friction(stickslip_coupled_solver *solver,
@@ -1845,7 +1851,8 @@ stickslip_status stickslip_coupled_rolling_solver_set_normal_load(stickslip_coup
 stickslip_status stickslip_coupled_rolling_solver_set_load(stickslip_coupled_rolling_solver *solver,
                                                            const stickslip_rolling_load *load);
 
-// Sets the gap before loading of the next solve (lengths, count entries, copied).
+// Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+// of the last solution, which is the gap under load.
 stickslip_status stickslip_coupled_rolling_solver_set_gap(stickslip_coupled_rolling_solver *solver,
                                                           const double *gap,
                                                           size_t count);
@@ -2111,7 +2118,7 @@ stickslip_status stickslip_history_press_stepwise(stickslip_history *history,
                                                   size_t *taken);
 
 // Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
-// a step prescribes a normal load.
+// a step prescribes a normal load. Returns STICKSLIP_GAP_UNDER_LOAD for the gap under load of the present contact.
 stickslip_status stickslip_history_set_gap(stickslip_history *history,
                                            const double *gap,
                                            size_t count);
@@ -2233,8 +2240,11 @@ stickslip_status stickslip_normal_solver_free(stickslip_normal_solver *solver);
 // Sets the load of the next solve.
 stickslip_status stickslip_normal_solver_set_load(stickslip_normal_solver *solver, const stickslip_normal_load *load);
 
-// Sets the gap before loading of the next solve (lengths, count entries, copied).
-stickslip_status stickslip_normal_solver_set_gap(stickslip_normal_solver *solver, const double *gap, size_t count);
+// Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+// of the last solution, which is the gap under load.
+stickslip_status stickslip_normal_solver_set_gap(stickslip_normal_solver *solver,
+                                                 const double *gap,
+                                                 size_t count);
 
 // Sets the method, the tolerance and the limits of the next solve.
 stickslip_status stickslip_normal_solver_set_settings(stickslip_normal_solver *solver,

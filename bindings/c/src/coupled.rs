@@ -153,7 +153,8 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_loads(
     })
 }
 
-/// Sets the gap before loading of the next solve (lengths, count entries, copied).
+/// Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+/// of the last solution, which is the gap under load.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
     solver: *mut stickslip_coupled_solver,

@@ -152,7 +152,8 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_load(
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
-/// Sets the gap before loading of the next solve (lengths, count entries, copied).
+/// Sets the gap before loading of the next solve (lengths, count entries, copied). Returns STICKSLIP_GAP_UNDER_LOAD for the gap
+/// of the last solution, which is the gap under load.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_gap(
     solver: *mut stickslip_coupled_rolling_solver,

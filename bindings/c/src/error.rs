@@ -202,6 +202,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::CycleNotClosed { .. } => STICKSLIP_CYCLE_NOT_CLOSED,
         Error::NoLastStep => STICKSLIP_NO_LAST_STEP,
         Error::OutdatedSolution { .. } => STICKSLIP_OUTDATED_SOLUTION,
+        Error::GapUnderLoad => STICKSLIP_GAP_UNDER_LOAD,
         Error::GridSize { .. } => STICKSLIP_GRID_SIZE,
         Error::Memory { .. } => STICKSLIP_MEMORY,
         Error::NotPositive { .. } => STICKSLIP_NOT_POSITIVE,

@@ -258,7 +258,7 @@ pub unsafe extern "C" fn stickslip_history_press_stepwise(
 }
 
 /// Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
-/// a step prescribes a normal load.
+/// a step prescribes a normal load. Returns STICKSLIP_GAP_UNDER_LOAD for the gap under load of the present contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_gap(
     history: *mut stickslip_history,

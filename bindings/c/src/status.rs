@@ -42,6 +42,8 @@ pub const STICKSLIP_NO_LAST_STEP: i32 = 13;
 /// again, or take a step, before you compute the stiffness. Or a rolling solver does not have the pressure of a normal load: set a
 /// normal load before you copy its normal contact.
 pub const STICKSLIP_OUTDATED_SOLUTION: i32 = 14;
+/// A new gap is the gap under load of the last solution. Add the wear to the gap before loading.
+pub const STICKSLIP_GAP_UNDER_LOAD: i32 = 15;
 
 /// A required handle or another required pointer is NULL or misaligned.
 pub const STICKSLIP_BAD_POINTER: i32 = 32;

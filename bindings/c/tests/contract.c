@@ -365,6 +365,11 @@ static void rejected_steps_do_not_count(void) {
     load = drag(10.0);
     OK(stickslip_history_step(history, &load, NULL));
     OK(stickslip_history_next_stiffness(history, NULL, &slope));
+
+    /* The gap under load is not a gap before loading. */
+    const double *loaded = stickslip_history_field(history, STICKSLIP_GAP, NULL);
+    CHECK(stickslip_history_set_gap(history, loaded, CELLS) == STICKSLIP_GAP_UNDER_LOAD);
+    CHECK(strstr(stickslip_last_error_message(), "give the gap before loading") != NULL);
     OK(stickslip_cycle_free(cycle));
     OK(stickslip_cycle_free(of_direct));
     OK(stickslip_state_free(before));

@@ -222,6 +222,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         (_, Error::EmptyContact) => "EmptyContact",
         (_, Error::EmptyPath) => "EmptyPath",
         (_, Error::NoLastStep) => "NoLastStep",
+        (_, Error::GapUnderLoad) => "GapUnderLoad",
         // The error enum of the crate is non-exhaustive.
         _ => "StickslipError",
     };

@@ -456,7 +456,7 @@ macro_rules! sensitive {
             ///     If the solution belongs to other bodies, or if weights have a different grid.
             /// UnsupportedByModel
             ///     If the functional depends on a quantity that the problem does not have.
-            /// BelowMinimum, Sample, NotPositive
+            /// BelowMinimum, Sample, NotPositive, Tolerance
             ///     If a number of the functional or the tolerance is invalid.
             /// EmptyContact
             ///     If no cell carries pressure under a prescribed force.

@@ -103,6 +103,18 @@ def test_stiffness_of_history_requires_step_after_change(small):
     history.stiffness(next_step=True)
 
 
+def test_gap_under_load_is_no_gap_before_loading(small):
+    history, solver = pressed(small), ss.NormalProblem(small.bodies, small.ball, force=FORCE).solver()
+    solution = solver.solve()
+    depth = ss.wear.archard(1e-14, solution.pressure, np.full(small.grid.shape, 1e-6))
+    for owner, loaded in ((solver, solution.gap), (history, history.normal.gap)):
+        for gap in (loaded, loaded + depth):
+            with pytest.raises(ss.errors.GapUnderLoad, match="give the gap before loading"):
+                owner.set_gap(gap)
+    solver.set_gap(solver.gap + depth)
+    history.set_gap(history.gap_as_set + depth)
+
+
 @pytest.fixture
 def rolling(small):
     return ss.rolling.RollingProblem(small.bodies, small.normal(), 0.5, creepage_x=1e-4).solver()

@@ -309,7 +309,7 @@ def test_wrong_arguments_are_rejected():
         presser.sensitivity(tangential, Functional.approach())
     with pytest.raises(TypeError, match="(?s)while processing 'functionals'"):
         presser.sensitivities(normal, Functional.approach())
-    with pytest.raises(errors.NotPositive, match="tolerance"):
+    with pytest.raises(errors.Tolerance, match="tolerance"):
         presser.sensitivity(normal, Functional.approach(), tolerance=-1.0)
     with pytest.raises(TypeError, match="tolerance must be a real number, got text"):
         presser.sensitivity(normal, Functional.approach(), tolerance="a")

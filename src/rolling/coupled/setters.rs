@@ -113,7 +113,7 @@ impl CoupledRollingSolver {
         gap.check("gap", bodies.grid())?;
         self.engine.last_gap.check(gap)?;
         self.problem.normal.check(bodies, gap, None)?;
-        self.engine.last_gap.store(&self.problem.gap)?;
+        self.engine.last_gap.store(&self.problem.gap);
         field::replace(&mut self.problem.gap, gap)?;
         self.engine.changed = Some("the gap");
         Ok(())

@@ -131,7 +131,7 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
             lift: fallible::zeros(cells)?,
             spin: 0.0,
             is_warm: false,
-            last_gap: LastGap::default(),
+            last_gap: LastGap::new(bodies.grid())?,
             changed: None,
             last: None,
             report: CoupledRollingReport::unsolved(),

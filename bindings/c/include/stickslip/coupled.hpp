@@ -118,7 +118,8 @@ class CoupledSolver {
     void set_loads(const stickslip_normal_load &normal, const stickslip_tangential_load &tangential) {
         check(stickslip_coupled_solver_set_loads(get(), &normal, &tangential));
     }
-    /// Sets the gap before loading of the next solve (lengths).
+    /// Sets the gap before loading of the next solve (lengths). Throws STICKSLIP_GAP_UNDER_LOAD for the gap of the last
+    /// solution, which is the gap under load.
     void set_gap(const FieldArgument &gap) { check(stickslip_coupled_solver_set_gap(get(), gap.data(), gap.size())); }
     /// Sets the friction of the next solve.
     void set_friction(const stickslip_friction &friction) {

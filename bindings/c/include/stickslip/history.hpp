@@ -97,7 +97,7 @@ class History {
         return found;
     }
     /// Sets the gap before loading (lengths), for example after wear. The pressure does not change until a step
-    /// prescribes a normal load.
+    /// prescribes a normal load. Throws STICKSLIP_GAP_UNDER_LOAD for the gap under load of the present contact.
     void set_gap(const FieldArgument &gap) { check(stickslip_history_set_gap(get(), gap.data(), gap.size())); }
     /// Sets the friction of the following steps.
     void set_friction(const stickslip_friction &friction) { check(stickslip_history_set_friction(get(), &friction)); }

@@ -100,7 +100,8 @@ class NormalSolver {
         })) {}
     /// Sets the load of the next solve.
     void set_load(const stickslip_normal_load &load) { check(stickslip_normal_solver_set_load(get(), &load)); }
-    /// Sets the gap before loading of the next solve (lengths).
+    /// Sets the gap before loading of the next solve (lengths). Throws STICKSLIP_GAP_UNDER_LOAD for the gap of the last
+    /// solution, which is the gap under load.
     void set_gap(const FieldArgument &gap) { check(stickslip_normal_solver_set_gap(get(), gap.data(), gap.size())); }
     /// Sets the method, the tolerance and the limits of the next solve.
     void set_settings(const stickslip_settings &settings) {

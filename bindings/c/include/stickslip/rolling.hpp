@@ -309,7 +309,8 @@ class CoupledRollingSolver {
     void set_load(const stickslip_rolling_load &load) {
         check(stickslip_coupled_rolling_solver_set_load(get(), &load));
     }
-    /// Sets the gap before loading of the next solve (lengths).
+    /// Sets the gap before loading of the next solve (lengths). Throws STICKSLIP_GAP_UNDER_LOAD for the gap of the last
+    /// solution, which is the gap under load.
     void set_gap(const FieldArgument &gap) {
         check(stickslip_coupled_rolling_solver_set_gap(get(), gap.data(), gap.size()));
     }

@@ -1553,6 +1553,8 @@ class CoupledRollingSolver:
 
         Raises
         ------
+        GapUnderLoad
+            If the gap is the gap of the last solution, which is the gap under load.
         ValueError
             If the unit of the gap differs from that of the earlier gaps.
         """
@@ -1720,7 +1722,7 @@ class CoupledSolver:
             If the solution belongs to other bodies, or if weights have a different grid.
         UnsupportedByModel
             If the functional depends on a quantity that the problem does not have.
-        BelowMinimum, Sample, NotPositive
+        BelowMinimum, Sample, NotPositive, Tolerance
             If a number of the functional or the tolerance is invalid.
         EmptyContact
             If no cell carries pressure under a prescribed force.
@@ -1741,6 +1743,8 @@ class CoupledSolver:
 
         Raises
         ------
+        GapUnderLoad
+            If the gap is the gap of the last solution, which is the gap under load.
         ValueError
             If the unit of the gap differs from that of the earlier gaps.
         """
@@ -3611,7 +3615,7 @@ class History:
             If the bodies do not touch.
         UnsupportedByModel
             For a step that rolls, for full coupling of dissimilar bodies, or if the history has not taken the step itself.
-        BelowMinimum, GridMismatch, NotConverged, NotFinite, NotPositive, Sample
+        BelowMinimum, GridMismatch, NotConverged, NotFinite, NotPositive, Sample, Tolerance
             See :meth:`TangentialSolver.sensitivity`.
 
         Examples
@@ -3643,6 +3647,8 @@ class History:
         Raises
         ------
         GridMismatch, Shape, Sample
+        GapUnderLoad
+            If the gap is the gap under load of the present contact.
         ValueError
             If the unit of the gap differs from :attr:`unit`; the gap is then unchanged.
 
@@ -5281,7 +5287,7 @@ class NormalSolver:
             If the solution belongs to other bodies, or if weights have a different grid.
         UnsupportedByModel
             If the functional depends on a quantity that the problem does not have.
-        BelowMinimum, Sample, NotPositive
+        BelowMinimum, Sample, NotPositive, Tolerance
             If a number of the functional or the tolerance is invalid.
         EmptyContact
             If no cell carries pressure under a prescribed force.
@@ -5297,6 +5303,8 @@ class NormalSolver:
 
         Raises
         ------
+        GapUnderLoad
+            If the gap is the gap of the last solution, which is the gap under load.
         ValueError
             If the unit of the gap differs from that of the earlier gaps.
         """
@@ -7823,7 +7831,7 @@ class TangentialSolver:
             If the solution belongs to other bodies, or if weights have a different grid.
         UnsupportedByModel
             If the functional depends on a quantity that the problem does not have.
-        BelowMinimum, Sample, NotPositive
+        BelowMinimum, Sample, NotPositive, Tolerance
             If a number of the functional or the tolerance is invalid.
         EmptyContact
             If no cell carries pressure under a prescribed force.

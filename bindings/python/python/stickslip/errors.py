@@ -574,6 +574,13 @@ class NoLastStep(StickslipError, ValueError):
     """
 
 
+class GapUnderLoad(StickslipError, ValueError):
+    """A new gap of a solver or a history is the gap under load of the last solution, which contains the displacements.
+
+    Add the wear to the gap before loading: the attribute ``gap`` of a solver, or ``gap_as_set`` of a history.
+    """
+
+
 class OutdatedSolution(StickslipError, ValueError):
     """A stiffness was requested after a change of the input, to which the last solution does not belong."""
 

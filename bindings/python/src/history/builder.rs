@@ -230,6 +230,8 @@ impl History {
     /// Raises
     /// ------
     /// GridMismatch, Shape, Sample
+    /// GapUnderLoad
+    ///     If the gap is the gap under load of the present contact.
     /// ValueError
     ///     If the unit of the gap differs from :attr:`unit`; the gap is then unchanged.
     ///

@@ -38,7 +38,7 @@ impl History {
     ///     If the bodies do not touch.
     /// UnsupportedByModel
     ///     For a step that rolls, for full coupling of dissimilar bodies, or if the history has not taken the step itself.
-    /// BelowMinimum, GridMismatch, NotConverged, NotFinite, NotPositive, Sample
+    /// BelowMinimum, GridMismatch, NotConverged, NotFinite, NotPositive, Sample, Tolerance
     ///     See :meth:`TangentialSolver.sensitivity`.
     ///
     /// Examples

@@ -329,6 +329,8 @@ impl CoupledRollingSolver {
     ///
     /// Raises
     /// ------
+    /// GapUnderLoad
+    ///     If the gap is the gap of the last solution, which is the gap under load.
     /// ValueError
     ///     If the unit of the gap differs from that of the earlier gaps.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
