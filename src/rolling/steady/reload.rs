@@ -94,8 +94,8 @@ impl RollingSolver {
     ///
     /// This call does not change the pressure. [`set_normal_load`](Self::set_normal_load) solves for the pressure over the gap of
     /// `solver` and uses this pressure, until another normal solver is set. `solver` need not have solved before. Its gap may differ
-    /// from the gap of the present pressure, for example after wear. The grid, the boundary, the cell values and the materials must be equal, but the solver
-    /// may use another [`HalfSpace`](crate::HalfSpace) with these properties.
+    /// from the gap of the present pressure, for example after wear. The grid, the boundary, the cell values and the materials must
+    /// be equal, but the solver may use another [`HalfSpace`](crate::HalfSpace) with these properties.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
