@@ -21,6 +21,28 @@ for creepage, force in zip(creepages, curve.force[0]):
 rolling = solver.solve(force_x=-20.0, creepage_y=0.0)
 assert rolling.creepage[0] < 0.0
 # %%
+import math
+
+import numpy as np
+import stickslip as ss
+
+grid = ss.Grid.square(32, 0.020)
+steel = ss.Material(213e9, 0.29)
+bodies = ss.HalfSpace(grid, (steel, steel))
+gap = ss.surface.sphere(grid, 0.5)
+normal = ss.NormalProblem(bodies, gap, force=80e3).solve()
+rolling = ss.rolling.RollingProblem(bodies, normal, 0.3, creepage_x=1e-3).solve()
+
+coefficient, length = 1e-14, 1e3  # m3/J, m
+circumference = 2 * math.pi * 0.5
+energy = rolling.dissipation_per_area  # the bodies roll along x, so a line is a row
+depths = length / circumference * coefficient * grid.dx * energy.sum(axis=1)
+worn = gap + np.broadcast_to(depths[:, np.newaxis], grid.shape)
+
+assert abs(depths.max() / 3.3e-9 - 1) < 0.01
+volume = circumference * grid.dy * depths.sum()
+assert abs(volume / (coefficient * length * energy.sum() * grid.cell_area) - 1) < 1e-12
+# %%
 import stickslip as ss
 
 grid = ss.Grid.square(24, 3.0)
