@@ -3,9 +3,10 @@
 use crate::cgm::reduce;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::normal::PressedGap;
+use crate::normal::{GapChange, PressedGap};
 use crate::parallel::layout::Layout;
 use crate::tangential::{Friction, Zone};
+use crate::warning::Warning;
 
 impl State {
     /// Computes the counts and sums over all ranks, which the fields of a slab do not contain.
@@ -61,6 +62,15 @@ impl State {
         let pressure = self.pressure().as_slice();
         let sum = reduce::sum(&bodies.grid_layout(), |i| friction.limit(i, pressure[i]));
         sum * self.grid().cell_area()
+    }
+
+    /// Returns a change of the gap before the last pressure over the largest displacement, in tenths, or `None` if it is small.
+    pub(in crate::history) fn large_change(
+        &self,
+        bodies: &HalfSpace,
+        change: GapChange,
+    ) -> Option<usize> {
+        Warning::gap_change_beyond(change.relative_to(self.pressed(bodies)))
     }
 
     /// Returns the last pressed contact with its gap before loading.

@@ -60,6 +60,7 @@ impl History {
             }
         }
         step.remarks = StepDiagnostics {
+            gap_change_tenths: gap_change.and_then(|change| state.large_change(bodies, change)),
             is_pressure_stale: state.is_pressure_stale,
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
@@ -68,8 +69,6 @@ impl History {
             friction_tenths: Warning::friction_beyond(state.friction.largest_coefficient(bodies)),
             ..StepDiagnostics::default()
         };
-        let gap_change = gap_change.map(|change| change.relative_to(state.pressed(bodies)));
-        step.remarks.gap_change_tenths = gap_change.and_then(Warning::gap_change_beyond);
         state.is_friction_new = false;
         step.normal_force = state.normal.force();
         step.approach = state.approach();
