@@ -198,10 +198,10 @@ pub enum Warning {
     ///
     /// The next solution of a solver has the warning after [`set_gap`](crate::NormalSolver::set_gap) if the change exceeds ten
     /// times the displacement and resembles wear. It then has one sign and leaves a tenth of the cells outside the last contact
-    /// unchanged. The gap of a solver can also change to another surface, which does not cause the warning. A new problem has no
-    /// last contact, and no such warning.
+    /// unchanged. The gap of a solver can also change to another surface, which rarely causes the warning. An example is a smaller
+    /// flat punch over a deep gap. A new problem has no last contact, and no such warning.
     LargeGapChange {
-        /// The largest change of the gap in a contact cell divided by the largest displacement, in tenths.
+        /// The largest change of the gap in a contact cell divided by the largest displacement of both contacts, in tenths.
         tenths: usize,
     },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
@@ -453,7 +453,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::LargeGapChange { tenths } => write!(
                 formatter,
-                "the gap of contact cells changed by {}.{} times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
+                "the gap of contact cells changed by {}.{} times the largest normal displacement of the contacts before and after, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), change the gap in more updates, or ignore this for another surface",
                 tenths / 10,
                 tenths % 10
             ),

@@ -292,15 +292,21 @@ impl Unresolved {
     /// Measures the contact of a pressure.
     ///
     /// The differences are deviations of the gap inside the cells from the cubic interpolation between the centres. The pressure
-    /// `difference / compliance` flattens a difference.
-    pub(super) fn new(normal: &NormalSolution, differences: &[f64], compliance: f64) -> Self {
-        let pressures = normal.pressure().as_slice();
+    /// `difference / compliance` flattens a difference. Bumps are the largest heights inside the cells above this interpolation.
+    pub(super) fn new(
+        normal: &NormalSolution,
+        [differences, bumps]: [&[f64]; 2],
+        compliance: f64,
+    ) -> Self {
+        let [pressures, gaps] = [normal.pressure(), normal.gap()].map(Field::as_slice);
         let has_edge = edge_cells(normal);
         let [unresolved, whole, at_edges, separable, contact] =
             reduce::sum(&normal.grid().layout(), |i| {
                 let (own, difference) = (pressures[i], differences[i].abs());
                 if own <= 0.0 {
-                    return [0.0; 5];
+                    // A bump inside a separated cell can overlap.
+                    let overlap = (bumps[i] - gaps[i]).max(0.0);
+                    return [overlap, 0.0, 0.0, 0.0, 0.0];
                 }
                 let at_edge = if has_edge(i) { own } else { 0.0 };
                 let is_separable = own * compliance < SEPARABLE * difference;

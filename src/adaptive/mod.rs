@@ -64,7 +64,8 @@
 //!
 //! where $`\tilde h`$ is the cubic interpolation of the gap between the centres $`x_i`$. The offsets $`s_i`$ lie inside the cells
 //! and differ from cell to cell. The compliance $`c`$ is the displacement of a cell under a unit pressure on it. The sums are
-//! over the contact. Waves of the gap that are shorter than the cells therefore increase the estimate.
+//! over the contact. Waves of the gap that are shorter than the cells therefore increase the estimate. The pressure of bumps inside
+//! separated cells is added, if the search has points on these bumps and the bodies overlap there.
 //!
 //! The error of the area is also at least the area of the contact cells that the unresolved gap could separate. The pressure of such
 //! a cell is below $`3\,|h - \tilde h| / c`$. Two contacts can thus be separated by a channel that the cells do not resolve.

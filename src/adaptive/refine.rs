@@ -6,7 +6,7 @@ use super::gap::evaluate;
 use super::measures::{FrictionMeasures, Measures, Quantity, Unresolved};
 use super::problem::{AdaptiveProblem, Shear, ShearLoad};
 use super::region::Extent;
-use super::search::{ContactBox, gap_inside_cells, locate, overlap_outside};
+use super::search::{ContactBox, bumps_inside_cells, gap_inside_cells, locate, overlap_outside};
 use super::solution::{AdaptiveSolution, AdaptiveStatus, Estimate, GridRecord, SolvedContact};
 use crate::error::Result;
 use crate::grid::cell_value::CellValue;
@@ -300,12 +300,10 @@ impl OneGrid {
     /// Returns the least errors due to structures that the cells do not resolve.
     fn unresolved(&self, problem: &AdaptiveProblem<'_>) -> Result<Unresolved> {
         let differences = gap_inside_cells(problem, self.measures.extent, &self.gap)?;
+        let normal = self.contact.normal();
+        let bumps = bumps_inside_cells(problem, self.measures.extent, &self.gap, normal)?;
         let compliance = self.bodies.cell_compliance();
-        Ok(Unresolved::new(
-            self.contact.normal(),
-            &differences,
-            compliance,
-        ))
+        Ok(Unresolved::new(normal, [&differences, &bumps], compliance))
     }
 
     /// Returns the ratio of error to target that the second differences of the first solution predict.

@@ -255,6 +255,51 @@ pub(super) fn gap_inside_cells(
     Ok(found)
 }
 
+/// Returns the largest height in each separated cell by which the gap is below its cubic interpolation between the centres. The
+/// points have the distances of the points of the search, or less. The height is zero in contact cells, in cells whose gap exceeds
+/// the approach, and in cells that are smaller than these distances.
+pub(super) fn bumps_inside_cells(
+    problem: &AdaptiveProblem<'_>,
+    extent: Extent,
+    gap: &Field,
+    normal: &NormalSolution,
+) -> Result<Vec<f64>> {
+    let (grid, whole) = (gap.grid(), problem.region.whole.sides());
+    let [nx, ny] = grid.size();
+    let (sides, searched) = ([grid.dx(), grid.dy()], search_cells(problem));
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of points, at most that of the search"
+    )]
+    let parts = [0, 1].map(|axis| match searched[axis] {
+        1 => 1,
+        cells => (sides[axis] * (cells * SEARCH_PARTS) as f64 / whole[axis]).ceil() as usize,
+    });
+    let mut bumps = fallible::zeros(grid.cells())?;
+    if parts == [1; 2] {
+        return Ok(bumps);
+    }
+    let positions = extent.positions([nx, ny], parts)?;
+    let found = evaluate(problem.gap, &positions)?;
+    let (values, count) = (gap.as_slice(), parts[0] * parts[1]);
+    let stencil = |axis: usize, cells: usize, position: [f64; 2]| {
+        let place = (position[axis] - extent.ends[axis][0]) / sides[axis] - 0.5;
+        LagrangeStencil::at(place, cells, CUBIC)
+    };
+    let pressure = normal.pressure().as_slice();
+    for (point, (position, found)) in positions.iter().zip(&found).enumerate() {
+        if pressure[point / count] > 0.0 || *found >= normal.approach() {
+            continue;
+        }
+        let (column, row) = (stencil(0, nx, *position), stencil(1, ny, *position));
+        let expected = row.apply(|iy| column.apply(|ix| values[iy * nx + ix]));
+        let bump = &mut bumps[point / count];
+        *bump = bump.max(expected - found);
+    }
+    Ok(bumps)
+}
+
 /// Returns a number between -0.5 and 0.5 for each cell and axis, from a sequence that fills the interval evenly.
 fn golden(i: usize, axis: usize) -> f64 {
     // The fractional parts of multiples of these numbers are evenly distributed over the square.

@@ -203,6 +203,8 @@ impl Model<CoupledSolution> for CoupledProblem {
         if has_iterate(&outcome) {
             solution.fill(problem, increment);
             increment.finish_gap(&problem.gap, wear, solution.normal_mut());
+        } else {
+            increment.last_gap.postpone(wear);
         }
         // The next solve must not start from NaN. If memory ran out, it must not start from the incomplete state
         // either.

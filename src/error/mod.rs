@@ -526,7 +526,7 @@ pub enum Error {
     )]
     NoLastStep,
     /// The new gap of a solver or a history is the gap under load of the last contact, which contains the displacements. A solve
-    /// would press the deformed surfaces again.
+    /// would press the deformed surfaces again. The gaps of earlier solutions and of closed contacts are not recognised.
     #[error(
         "the gap is the gap under load of the last solution, which contains the displacements: give the gap before loading, which is the last given gap plus the depth of wear"
     )]

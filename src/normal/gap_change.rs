@@ -8,6 +8,7 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::parallel;
+use crate::report::Status;
 
 /// Fraction of the largest change below which a change counts as none. Wear can be interpolated or smoothed before it is added.
 const NEGLIGIBLE: f64 = 1e-3;
@@ -145,6 +146,8 @@ pub(crate) struct LastGap {
     /// Gap of the last solve, if the gap has changed since. Otherwise a buffer.
     gap: Field,
     has_changed: bool,
+    /// Change before a solve that did not converge.
+    pending: GapChange,
     loaded: Option<LoadedCell>,
 }
 
@@ -154,6 +157,7 @@ impl LastGap {
         Ok(Self {
             gap: Field::try_zeros(grid)?,
             has_changed: false,
+            pending: GapChange::default(),
             loaded: None,
         })
     }
@@ -171,8 +175,9 @@ impl LastGap {
         }
     }
 
-    /// Returns the change of the gap since the last solve if it resembles wear. The pressure and the approach are those of the
-    /// last solve, or `None` if there was none. The next change is relative to the present gap.
+    /// Returns the change of the gap since the last solve if it resembles wear, or a larger change before a solve that did not
+    /// converge. The pressure and the approach are those of the last solve, or `None` if there was none. The next change is
+    /// relative to the present gap.
     pub(crate) fn take_wear(
         &mut self,
         bodies: &HalfSpace,
@@ -181,8 +186,9 @@ impl LastGap {
     ) -> GapChange {
         self.loaded = None;
         let has_changed = std::mem::take(&mut self.has_changed);
+        let pending = std::mem::take(&mut self.pending);
         let Some((pressure, approach)) = last.filter(|_| has_changed) else {
-            return GapChange::default();
+            return pending;
         };
         let last = PressedGap {
             bodies,
@@ -190,20 +196,32 @@ impl LastGap {
             pressure,
             approach,
         };
-        if last.resembles_wear(present) {
-            last.change_to(present)
+        if !last.resembles_wear(present) {
+            return pending;
+        }
+        let change = last.change_to(present);
+        if change.change > pending.change {
+            change
         } else {
-            GapChange::default()
+            pending
         }
     }
 
-    /// Writes the change to the solution of the next solve.
+    /// Keeps a change for the next solve, because this solve ended without an iterate.
+    pub(crate) fn postpone(&mut self, change: GapChange) {
+        self.pending = change;
+    }
+
+    /// Writes the change to the solution of the next solve. A solution that has not converged also leaves it to the next solve.
     pub(crate) fn finish(
         &mut self,
         (bodies, gap): (&HalfSpace, &Field),
         change: GapChange,
         solution: &mut NormalSolution,
     ) {
+        if solution.report().status != Status::Converged {
+            self.postpone(change);
+        }
         self.loaded = LoadedCell::of(solution, gap);
         let after = PressedGap {
             bodies,

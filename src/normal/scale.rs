@@ -26,7 +26,7 @@ pub(crate) struct Scale {
     /// neighbouring columns or rows.
     #[cfg_attr(feature = "serde", serde(default))]
     seam_times: [usize; 2],
-    /// Change of the gap before this solve like wear, divided by the largest displacement of the contact before, in tenths.
+    /// Change of the gap before this solve like wear, divided by the largest displacement before and after it, in tenths.
     /// `None` for a small change.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(super) gap_change_tenths: Option<usize>,

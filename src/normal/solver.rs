@@ -208,6 +208,8 @@ impl Model<NormalSolution> for NormalProblem {
             press.finish(&of, solution);
             solution.measure_scale(of.bodies, of.gap);
             last_gap.finish((of.bodies, of.gap), wear, solution);
+        } else {
+            last_gap.postpone(wear);
         }
         outcome
     }

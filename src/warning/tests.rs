@@ -162,7 +162,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::LargeGapChange { tenths: 125 },
-            "the gap of contact cells changed by 12.5 times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
+            "the gap of contact cells changed by 12.5 times the largest normal displacement of the contacts before and after, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), change the gap in more updates, or ignore this for another surface",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },

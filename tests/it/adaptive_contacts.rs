@@ -419,6 +419,27 @@ fn contact_smaller_than_the_first_cells_reaches_target() {
     assert!((contact.stick_ratio() - (2.0_f64 / 3.0).sqrt()).abs() < 0.05);
 }
 
+/// The cells of the first grids are larger than the bumps, which the points of the search resolve. The bumps carry most of the load.
+#[test]
+fn bumps_between_the_centres_of_separated_cells_are_found() {
+    let (ring, half_width) = (0.36e-3, 1.4e-5);
+    let radius = half_width * half_width * 3.5e-2 / (ring * ring);
+    let bumps = |x: f64, y: f64| {
+        let bump = |k: u8| {
+            let angle = 0.3661 + TAU / 3.0 * f64::from(k);
+            let (x, y) = (x - ring * angle.cos(), y - ring * angle.sin());
+            0.5 * (x * x + y * y) / radius
+        };
+        (0..3).map(bump).fold((x * x + y * y) / 7e-2, f64::min)
+    };
+    let region = Region::rectangle([-5e-4, 5e-4], [-5e-4, 5e-4]).unwrap();
+    let problem = AdaptiveProblem::builder(steel(), &bumps, NormalLoad::Force(20.0), region);
+    let problem = problem.target(Quantity::Pressure, 0.02).cell_limit(20_000);
+    let found = problem.build().unwrap().solve().unwrap();
+    assert_eq!(found.status(), AdaptiveStatus::CellLimit);
+    assert!(found.normal().pressure().max() > 3e9);
+}
+
 /// The traction of a first step without a tangential load is zero. Its estimate is zero too, and the refinement ends.
 #[test]
 fn first_step_without_tangential_load_reaches_default_targets() {

@@ -1,6 +1,7 @@
 //! Changes of the gap between solves: the warning about deep wear, and the rejection of gaps under load.
 
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 use stickslip::history::AdaptiveSteps;
 use stickslip::rolling::{CoupledRollingProblem, RollingProblem};
@@ -99,6 +100,33 @@ fn wear_of_solver_is_the_net_change_since_the_last_solve() {
     // The displacement after the wear is larger, because the contact has moved to a ring of larger gap.
     let found = tenths(solution.warnings()).unwrap();
     assert!((200..=500).contains(&found), "{found}");
+}
+
+#[test]
+fn cancelled_solve_leaves_the_warning_to_the_next_solve() {
+    let (bodies, ball, load) = ball();
+    for calls in [0, 1, 3] {
+        let mut solver = kit::solver(NormalProblem::builder(&bodies, &ball, load));
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution).unwrap();
+        let (depth, is_contact) = contact_of(&solution, &ball);
+        solver
+            .set_gap(&worn(&ball, 30.0 * depth, is_contact))
+            .unwrap();
+        let mut left = calls;
+        let cancelled = solver.solve_observed(&mut solution, |_| {
+            if left == 0 {
+                return ControlFlow::Break(());
+            }
+            left -= 1;
+            ControlFlow::Continue(())
+        });
+        assert!(cancelled.is_err());
+        solver.solve_into(&mut solution).unwrap();
+        assert!(tenths(solution.warnings()).is_some(), "{calls}");
+        solver.solve_into(&mut solution).unwrap();
+        assert_eq!(tenths(solution.warnings()), None);
+    }
 }
 
 /// Wear can be added while the bodies are almost unloaded. It is small if it is less than the displacement under the next load.

@@ -27,11 +27,13 @@ void *__libc_memalign(size_t alignment, size_t size);
  * tiles in which fields are transformed. */
 #define TILE 2048
 #define LEAST 8192
+/* Size of a block of the queue of the thread pool, which holds 63 jobs. Without memory for it the pool ends the process. */
+#define QUEUE_BLOCK 1520
 static int armed = 0;
 static size_t first = 0, least = 0, seen = 0;
 
 static int fails(size_t size) {
-    return __atomic_load_n(&armed, __ATOMIC_SEQ_CST) && (size >= least || size == TILE)
+    return __atomic_load_n(&armed, __ATOMIC_SEQ_CST) && (size >= least || size == TILE) && size != QUEUE_BLOCK
         && __atomic_fetch_add(&seen, 1, __ATOMIC_SEQ_CST) >= first;
 }
 

@@ -475,8 +475,9 @@ static void a_solver_takes_new_loads(const stickslip_half_space *bodies, const s
     CLOSE(capacity, 0.8 * FRICTION, 1e-6);
     double expected = solve(other, solution).force[0];
     CLOSE(solve(solver, solution).force[0], expected, 1e-6);
+    /* A ball of a few contact radii causes warnings about the pressure that the solver has computed. */
     OK(stickslip_rolling_solution_warnings(solution, NULL, 0, &warnings));
-    CHECK(warnings == 0);
+    CHECK(warnings > 0);
     OK(stickslip_rolling_solver_set_normal(other, pressed));
     load.value = 1.0;
     OK(stickslip_rolling_solver_set_normal_load(solver, &load));

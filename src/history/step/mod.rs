@@ -326,7 +326,7 @@ impl History {
     /// Changes the gap before loading, for instance after wear. All other quantities are kept. The pressure changes in the
     /// first step that does not hold it. Prescribe the normal load again in the next step. A step that holds the pressure has
     /// the warning [`StalePressure`](crate::Warning::StalePressure). A step that solves for the pressure has the warning
-    /// [`LargeGapChange`](crate::Warning::LargeGapChange) if the change is larger than the displacement of the last contact.
+    /// [`LargeGapChange`](crate::Warning::LargeGapChange) if the change is larger than the displacements before and after it.
     /// The [plastic depth](State::yielded) is added to the gap. With a permanent set, [`History::unloaded_gap`] contains this
     /// depth already: change [`History::gap_as_set`] instead.
     ///

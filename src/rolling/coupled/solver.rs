@@ -488,6 +488,8 @@ impl CoupledRollingSolver {
             let CoupledRollingProblem { bodies, gap, .. } = &self.problem;
             let last_gap = &mut self.engine.last_gap;
             last_gap.finish((bodies, gap), wear, &mut solution.normal);
+        } else {
+            self.engine.last_gap.postpone(wear);
         }
         // The next solve starts from these tractions.
         for (kept, found) in self

@@ -256,8 +256,7 @@ impl RollingSolution {
     /// not the wear of a particle. A particle loses the following depth in each passage: the wear coefficient times the sum of
     /// the values over the cells of its line along the rolling direction, times their side along this line. The depth is uniform
     /// along the line: add it to whole lines of the gap, not to single cells. A wheel with the circumference U makes L/U passages
-    /// over the length L. The worn volume is the wear coefficient times L times the integral of the values over the grid. The
-    /// guide has an [example](crate::guide::rolling#wear-in-steady-rolling).
+    /// over the length L. The guide has an [example](crate::guide::rolling#wear-in-steady-rolling).
     ///
     /// The energy is evaluated with the tractions at the end of a step. Between bodies of the same material the integral of this
     /// energy is therefore less than the [work](Self::work). The difference decreases with the cell size.
