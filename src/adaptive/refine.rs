@@ -269,7 +269,7 @@ impl OneGrid {
             if let Some(earlier) = earlier {
                 error = error.max(earlier.error / growth.powf(ORDER));
             } else if let Some((field, part)) = quantity.field_of_number() {
-                // A number can agree on two grids by chance, whereas a field cannot.
+                // A number can agree on two grids by chance. Fields of resolved spots cannot.
                 error = (FEW_GRIDS * error).max(part * from_difference(field)?);
             }
             let least = match quantity {

@@ -45,7 +45,8 @@ pub(crate) struct CoupledIncrement {
     /// Shift of the state from which the step starts.
     pub(super) last_shift: [f64; 2],
     pub(super) approach: f64,
-    pub(super) last_gap: LastGap,
+    /// Gap of the last solve, which only a solver keeps. A history has its own.
+    pub(super) last_gap: Option<LastGap>,
     report: CoupledReport,
 }
 
@@ -106,7 +107,7 @@ impl CoupledIncrement {
             motion: RigidMotion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
-            last_gap: LastGap::new(grid)?,
+            last_gap: None,
             report: CoupledReport::unsolved(),
             bodies: bodies.clone(),
         })
@@ -167,7 +168,10 @@ impl CoupledIncrement {
     /// Returns the [wear](LastGap::take_wear) of this gap since the last solve.
     pub(super) fn take_wear(&mut self, gap: &Field) -> GapChange {
         let last = (&self.tractions[0][..], self.approach);
-        self.last_gap.take_wear(&self.bodies, gap, Some(last))
+        let last_gap = self.last_gap.as_mut();
+        last_gap.map_or_else(GapChange::default, |kept| {
+            kept.take_wear(&self.bodies, gap, Some(last))
+        })
     }
 
     /// Writes this wear to the solution of the solve with this gap.
@@ -177,7 +181,9 @@ impl CoupledIncrement {
         wear: GapChange,
         solution: &mut NormalSolution,
     ) {
-        self.last_gap.finish((&self.bodies, gap), wear, solution);
+        if let Some(last_gap) = &mut self.last_gap {
+            last_gap.finish((&self.bodies, gap), wear, solution);
+        }
     }
 
     /// Writes the normal solution of the last step for this gap before loading and this hardness.

@@ -9,7 +9,7 @@ use crate::coupled::{CoupledProblem, CoupledReport, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{Hardness, NormalLoad};
+use crate::normal::{Hardness, LastGap, NormalLoad};
 use crate::observer::Observer;
 use crate::tangential::{
     Axis, Friction, RelativeDisplacement, RigidMotion, TangentialLoad, TangentialModel,
@@ -84,11 +84,15 @@ impl CoupledSolver {
     /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
-        let last = &self.engine.last_gap;
-        let checked = gap.check("gap", bodies.grid());
-        bodies.collective_result(checked.and_then(|()| last.check(gap)))?;
+        let checked = gap.check("gap", bodies.grid()).and_then(|()| {
+            let last = self.engine.last_gap.as_ref();
+            last.map_or(Ok(()), |last| last.check(gap))
+        });
+        bodies.collective_result(checked)?;
         self.problem.normal.check(bodies, gap, None)?;
-        self.engine.last_gap.store(&self.problem.gap);
+        if let Some(last) = &mut self.engine.last_gap {
+            last.store(&self.problem.gap);
+        }
         field::replace(&mut self.problem.gap, gap)
     }
 
@@ -165,6 +169,7 @@ impl Model<CoupledSolution> for CoupledProblem {
 
     fn engine(&self) -> Result<CoupledIncrement> {
         let mut increment = CoupledIncrement::new(&self.bodies)?;
+        increment.last_gap = Some(LastGap::new(self.bodies.grid())?);
         if let Some(relative) = &self.relative {
             increment.set_relative_displacement(relative);
         }
@@ -203,8 +208,8 @@ impl Model<CoupledSolution> for CoupledProblem {
         if has_iterate(&outcome) {
             solution.fill(problem, increment);
             increment.finish_gap(&problem.gap, wear, solution.normal_mut());
-        } else {
-            increment.last_gap.postpone(wear);
+        } else if let Some(last) = &mut increment.last_gap {
+            last.postpone(wear);
         }
         // The next solve must not start from NaN. If memory ran out, it must not start from the incomplete state
         // either.

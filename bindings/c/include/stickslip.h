@@ -2398,8 +2398,7 @@ stickslip_status stickslip_rolling_solver_set_normal_load(stickslip_rolling_solv
                                                           const stickslip_normal_load *load);
 
 // Copies the normal contact that stickslip_rolling_solver_set_normal_load has computed to a normal solution on the same grid.
-// Returns STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is, before the first
-// load or after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure
+// Returns STICKSLIP_OUTDATED_SOLUTION before the first load and after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure
 // the solution is unchanged.
 stickslip_status stickslip_rolling_solver_normal(const stickslip_rolling_solver *solver,
                                                  stickslip_normal_solution *solution);

@@ -300,8 +300,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
 }
 
 /// Copies the normal contact that stickslip_rolling_solver_set_normal_load has computed to a normal solution on the same grid.
-/// Returns STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is, before the first
-/// load or after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure
+/// Returns STICKSLIP_OUTDATED_SOLUTION before the first load and after another pressure was set. Returns STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure
 /// the solution is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_normal(

@@ -135,9 +135,8 @@ class RollingSolver {
         check(stickslip_rolling_solver_set_normal_load(get(), &load));
     }
     /// Copies the normal contact that RollingSolver::set_normal_load has computed to a normal solution on the same
-    /// grid. Throws STICKSLIP_OUTDATED_SOLUTION if the pressure of the next solve is not that of this contact, that is,
-    /// before the first load or after another pressure was set. Throws STICKSLIP_GRID_MISMATCH for a solution on
-    /// another grid. After a failure the solution is unchanged.
+    /// grid. Throws STICKSLIP_OUTDATED_SOLUTION before the first load and after another pressure was set. Throws
+    /// STICKSLIP_GRID_MISMATCH for a solution on another grid. After a failure the solution is unchanged.
     void normal(NormalSolution &solution) const { check(stickslip_rolling_solver_normal(get(), solution.get())); }
     /// Returns the largest tangential force that friction can carry.
     double friction_capacity() const {

@@ -26,7 +26,7 @@ pub(crate) struct TangentialSolver(
     Mutex<Units>,
 );
 
-/// Units of the lengths of a tangential contact, as far as they are known.
+/// Units of the lengths of a tangential contact. Lengths without a stated unit have none.
 #[derive(Clone)]
 pub(super) struct Units {
     pub(super) gap: Option<Unit>,
