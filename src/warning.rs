@@ -4,15 +4,10 @@ mod limits;
 mod resolution;
 #[cfg(test)]
 mod tests;
+mod text;
 
-use crate::error::counted;
-
-use limits::{
-    LARGEST_COUPLING, LARGEST_RESIDUAL, LOWEST_CAP, LOWEST_PRESSURE, MANY_SPOTS, refinement,
-};
 pub(crate) use limits::{LARGEST_SEAM, LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
-use resolution::{RESOLVED_AREA, RESOLVED_LINE};
 
 /// Warning that a converged solution may be misleading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -131,10 +126,19 @@ pub enum Warning {
     },
     /// The shift of a step exceeds the longest side of the grid, or the change of a
     /// [relative displacement](crate::tangential::RelativeDisplacement) in a contact cell does. A common cause is an inconsistent
-    /// unit. Steps that roll do not have this warning.
+    /// unit. A [`Cycle`](crate::history::Cycle) has the warning if the range of the shift over its steps exceeds this side. Steps
+    /// that roll, and cycles with such steps, do not have this warning.
     ShiftBeyondGrid {
-        /// The larger of shift and relative displacement of the step, divided by the longest side of the grid, in tenths.
+        /// The largest of shift, relative displacement and range of the shift, divided by the longest side of the grid, in tenths.
         tenths: usize,
+    },
+    /// The stretch of a [spring](crate::TangentialControl::Spring) exceeds a thousand times the longest side of the grid. Common
+    /// causes are exchanged values of position and stiffness and an inconsistent unit of either. The force of the exchanged values is
+    /// almost equal, because a soft spring with a distant end prescribes their product. Springs of steps that roll do not have this
+    /// warning.
+    SpringBeyondGrid {
+        /// The stretch divided by the longest side of the grid.
+        sides: usize,
     },
     /// A component of a [bulk strain](crate::tangential::RelativeDisplacement::bulk_strain) times its amount exceeds 0.02 in magnitude,
     /// whereas the model assumes small strains. Common causes are a strain in per cent and an amount in an inconsistent unit.
@@ -143,9 +147,10 @@ pub enum Warning {
         /// The largest magnitude of a component at the end of the step, in thousandths.
         per_mille: usize,
     },
-    /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees.
+    /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees. A
+    /// [`Cycle`](crate::history::Cycle) without rolling has the warning if the range of the twist over its steps exceeds 0.2 rad.
     LargeTwist {
-        /// The magnitude of the twist of the step, in tenths of a radian.
+        /// The magnitude of the twist of the step, or the range of the twist, in tenths of a radian.
         tenths: usize,
     },
     /// The creepage of rolling bodies is 0.1 or more, whereas the model assumes small creepages. Common causes are a creepage in per
@@ -170,6 +175,15 @@ pub enum Warning {
         /// The contact modulus divided by the largest pressure.
         parts: usize,
     },
+    /// The hardness exceeds the contact modulus ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)), and no cell
+    /// has reached it. This applies to the hardness of the softer [material](crate::Material::hardness) and to a limit of the pressure
+    /// ([`Hardness`](crate::normal::Hardness), its smallest positive value). The hardness of a metal is about 1/100 of this modulus,
+    /// so that the hardness has no effect on any contact of small strains. A common cause is an inconsistent unit. Coated bodies and
+    /// user kernels do not have this warning.
+    HardnessBeyondModulus {
+        /// The hardness divided by the contact modulus, in thousandths.
+        per_mille: usize,
+    },
     /// The [largest shear stress](crate::Friction::max_shear_stress) lowers the friction capacity to less than 1 % of the capacity
     /// without it. A common cause is a stress in an inconsistent unit. Under a prescribed shift the force is then too small
     /// by the same factor. A coefficient of friction above 5 has the warning [`LargeFriction`](Self::LargeFriction) instead, because
@@ -177,6 +191,14 @@ pub enum Warning {
     LowShearStress {
         /// The friction capacity without the largest shear stress divided by the capacity.
         parts: usize,
+    },
+    /// The [largest shear stress](crate::Friction::max_shear_stress) exceeds the contact modulus
+    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)), and caps the friction of no cell. The shear
+    /// strength of a metal is below 1/100 of this modulus. A common cause is an inconsistent unit. Coated bodies and user
+    /// kernels do not have this warning.
+    ShearStressBeyondModulus {
+        /// The largest shear stress divided by the contact modulus, in thousandths.
+        per_mille: usize,
     },
     /// The largest pressure of a [prescribed field](crate::PressureSource::Prescribed) is less than 1e-7 of the contact modulus
     /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)). A common cause is a pressure in an inconsistent unit,
@@ -203,6 +225,14 @@ pub enum Warning {
     LargeGapChange {
         /// The largest change of the gap in a contact cell divided by the largest displacement of both contacts, in tenths.
         tenths: usize,
+    },
+    /// The gap before loading differs from zero by less than 1e-7 of the approach in a fifth of the contact cells or more, with both
+    /// signs. The [gap under load](crate::NormalSolution::gap) of an earlier solution has such values where the surfaces touched, if
+    /// its tolerance was 1e-6 or less. The bodies would be deformed twice. A flat surface with round-off also has this warning, which
+    /// can then be ignored.
+    ClosedGap {
+        /// Number of these cells.
+        cells: usize,
     },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
@@ -315,239 +345,4 @@ pub enum Warning {
         /// The largest ratio of an estimated error to its target, in tenths. It is zero if no error was estimated.
         tenths: usize,
     },
-}
-
-#[expect(clippy::too_many_lines, reason = "a text for each warning")]
-impl std::fmt::Display for Warning {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::NoContact => formatter.write_str(
-                "no cell carries pressure because the normal force is zero or nothing has been solved yet: prescribe a positive normal force, or an approach above the smallest gap, and solve"
-            ),
-            Self::ContactAtEdge { cells } => {
-                write!(
-                    formatter,
-                    "the edge of the grid contains {}: use a larger grid",
-                    counted(*cells, "contact cell")
-                )
-            }
-            Self::UnresolvedSpots { unresolved, spots } => write!(
-                formatter,
-                "contact spots of fewer than {RESOLVED} cells ({unresolved} of {}) contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
-                counted(*spots, "spot")
-            ),
-            Self::SingleRowOfCells => write!(
-                formatter,
-                "the grid is a single row of rectangular cells and not periodic, so it does not model a line contact in plane strain: use a row along x with a boundary that is periodic along y"
-            ),
-            Self::ContactSpansGrid { along_x, along_y } => {
-                let axes = axes(*along_x, *along_y);
-                write!(
-                    formatter,
-                    "a contact spot extends across the whole grid along {axes}, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes"
-                )
-            }
-            Self::BeyondHardness { cells } => write!(
-                formatter,
-                "the pressure exceeds the hardness of the softer body in {}: limit the pressure to the hardness",
-                counted(*cells, "cell")
-            ),
-            Self::StalePressure => formatter.write_str(
-                "the gap has changed, but the step kept the pressure, which belongs to the old gap: prescribe the normal load again",
-            ),
-            Self::StressAtEdge => write!(
-                formatter,
-                "the error of the stress along the surface at the edge of a sheared contact decreases only with the square root of the cell size: use a plane at a depth of at least one cell side"
-            ),
-            Self::UnderresolvedContact { cells } => write!(
-                formatter,
-                "the contact has only {}, so that its area and its stick ratio are inaccurate: refine the grid until it has {} (a line of cells: {})",
-                counted(*cells, "cell"),
-                RESOLVED_AREA[0],
-                RESOLVED_LINE[0]
-            ),
-            Self::UnderresolvedStickZone { cells } => write!(
-                formatter,
-                "the stick zone has only {}, so that its size is inaccurate: refine the grid until it has {} (a line of cells: {})",
-                counted(*cells, "cell"),
-                RESOLVED_AREA[1],
-                RESOLVED_LINE[1]
-            ),
-            Self::UnderresolvedSlipZone { tenths: 0 } => formatter.write_str(
-                "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: refine the grid until the zone is two cells wide, or check the unit of a tangential load"
-            ),
-            Self::UnderresolvedSlipZone { tenths } => write!(
-                formatter,
-                "the slip zone is only {}.{} cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
-                tenths / 10,
-                tenths % 10
-            ),
-            Self::DiscretisationError {
-                per_mille, spots, ..
-            } if *spots > MANY_SPOTS => write!(
-                formatter,
-                "the estimated discretisation error of the fields of {spots} contact spots is {}.{} %: for an error of 1 %, resample the surface onto cells {:.1} times smaller, or filter out its short waves",
-                per_mille / 10,
-                per_mille % 10,
-                refinement(1e-3 * *per_mille as f64)
-            ),
-            Self::DiscretisationError {
-                per_mille,
-                cells_per_radius,
-                ..
-            } => write!(
-                formatter,
-                "the estimated discretisation error of the fields is {}.{} %: for an error of 1 %, use {} on the radius of a contact spot",
-                per_mille / 10,
-                per_mille % 10,
-                counted(*cells_per_radius, "cell")
-            ),
-            Self::SingleLoadStep => write!(
-                formatter,
-                "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: let the history press in steps that it chooses for a tolerance"
-            ),
-            Self::ApproachBeyondGrid { tenths } => write!(
-                formatter,
-                "the approach is {}.{} times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
-                tenths / 10,
-                tenths % 10
-            ),
-            Self::ShiftBeyondGrid { tenths } => write!(
-                formatter,
-                "the shift or relative displacement of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid",
-                tenths / 10,
-                tenths % 10
-            ),
-            Self::LargeBulkStrain { per_mille } => write!(
-                formatter,
-                "the bulk strain of the relative displacement is {}.{} %, expected at most 2 %: give a strain of 0.05 % as 0.0005, and check its amount; the model assumes small strains",
-                per_mille / 10,
-                per_mille % 10
-            ),
-            Self::LargeTwist { tenths } => write!(
-                formatter,
-                "the twist of the step is {}.{} radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
-                tenths / 10,
-                tenths % 10
-            ),
-            Self::LargeCreepage { per_cent } => write!(
-                formatter,
-                "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected less than 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
-            ),
-            Self::LargeFriction { tenths } => write!(
-                formatter,
-                "the largest coefficient of friction is {}, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
-                *tenths as f64 / 10.0
-            ),
-            Self::LowHardness { parts } => write!(
-                formatter,
-                "almost all contact cells are at the hardness, and the largest pressure is 1/{parts} of the contact modulus, expected at least 1/{LOWEST_HARDNESS}: check the units of hardness and modulus, or prescribe the normal force"
-            ),
-            Self::LowShearStress { parts } => write!(
-                formatter,
-                "the largest shear stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of this stress and of the pressure, or prescribe the tangential force"
-            ),
-            Self::LowPressure { parts } => write!(
-                formatter,
-                "the largest prescribed pressure is 1/{parts} of the contact modulus, expected at least 1/{LOWEST_PRESSURE}: check the units of pressure and modulus"
-            ),
-            Self::LargeGapChange { tenths } => write!(
-                formatter,
-                "the gap of contact cells changed by {}.{} times the largest normal displacement of the contacts before and after, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), change the gap in more updates, or ignore this for another surface",
-                tenths / 10,
-                tenths % 10
-            ),
-            Self::LargeContactRadius { per_mille } => write!(
-                formatter,
-                "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
-                1e-3 * *per_mille as f64
-            ),
-            Self::PressureBeyondModulus { per_mille } => write!(
-                formatter,
-                "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load (or prescribed pressure), and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
-                1e-3 * *per_mille as f64
-            ),
-            Self::PeriodicSeam {
-                along_x,
-                along_y,
-                times,
-            } => {
-                let axes = axes(*along_x, *along_y);
-                write!(
-                    formatter,
-                    "the gap jumps across the border of the grid along {axes} by {times} times the largest mean step between neighbouring cells, expected at most {LARGEST_SEAM}: level the surface, or use a boundary that is not periodic along {axes}"
-                )
-            }
-            Self::NotConverged => formatter.write_str(
-                "the solve ended before it converged, so that the solution is its last iterate: check the status in the report, and solve again with a larger limit or tolerance"
-            ),
-            Self::SteepSurface { per_mille } => write!(
-                formatter,
-                "the rms slope of the surface at the contact is {:.2}, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
-                1e-3 * *per_mille as f64
-            ),
-            Self::HeldShiftLostForce { per_cent } => write!(
-                formatter,
-                "the tangential force decreased by {per_cent} % under a held shift, expected at most 50 %: to keep the force, prescribe it in each step"
-            ),
-            Self::UnusedRelativeDisplacement => formatter.write_str(
-                "the relative displacement has no effect because its amount is zero: prescribe the amount in each step, for example 1 for the pattern itself, or 0 for a step without it"
-            ),
-            Self::RepeatedLoop => formatter.write_str(
-                "the cycle repeats a closed loop, so that energies and slip distances are sums over several loops: begin the cycle anew before each loop"
-            ),
-            Self::OpenCycle { per_cent } => write!(
-                formatter,
-                "the cycle deviates by {per_cent} % from a closed loop, expected at most {LARGEST_RESIDUAL} %, so that energies and slip distances are not those of a steady cycle: begin the cycle anew and repeat the loop until it closes"
-            ),
-            Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
-            Self::NeglectedTraction { per_cent } => write!(
-                formatter,
-                "Dundurs' beta is {per_cent} % of the mean coefficient of friction, expected at most {LARGEST_COUPLING} % in the scalar model with one-way coupling, which neglects the tractions across its axis: use the vector model, or full coupling"
-            ),
-            Self::CoatingBeyondGrid { sides } => write!(
-                formatter,
-                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has almost no effect on the contact: check the units of thickness and grid"
-            ),
-            Self::CoatingBelowCell { parts } => write!(
-                formatter,
-                "a cell is {parts} times as long as a layer is thick, so that the layer has almost no effect on the contact: check the units of thickness and grid"
-            ),
-            Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
-        }
-    }
-}
-
-/// Returns the names of the axes to which a warning applies.
-fn axes(along_x: bool, along_y: bool) -> &'static str {
-    match (along_x, along_y) {
-        (true, false) => "x",
-        (false, true) => "y",
-        _ => "x and y",
-    }
-}
-
-/// Writes the warning about the neglected lift.
-fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> std::fmt::Result {
-    write!(
-        formatter,
-        "tractions displace the surfaces of bodies that couple pressure and traction by {}.{:04} % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
-        per_million / 10_000,
-        per_million % 10_000
-    )
-}
-
-/// Writes the warning about the accuracy of an adaptive contact.
-fn write_accuracy(formatter: &mut std::fmt::Formatter<'_>, tenths: usize) -> std::fmt::Result {
-    if tenths == 0 {
-        return formatter.write_str(
-            "the refinement ended after the first grid, so that no error is estimated: raise the limit that the status states (cells, time or distance of the samples)",
-        );
-    }
-    write!(
-        formatter,
-        "the refinement ended at {}.{} times the required error: raise the limit that the status states (cells, time or distance of the samples), or the target",
-        tenths / 10,
-        tenths % 10
-    )
 }

@@ -518,6 +518,13 @@ impl ElasticPair {
         2.0 / self.compliances.normal
     }
 
+    /// Returns a limit of the pressure or of the traction divided by the contact modulus. Returns `None` if the limit is not finite or
+    /// the bodies are not homogeneous, so that this modulus does not bound the stress.
+    pub(crate) fn limit_over_modulus(&self, limit: f64) -> Option<f64> {
+        let is_comparable = self.is_homogeneous() && limit.is_finite();
+        is_comparable.then(|| limit / self.contact_modulus())
+    }
+
     /// Returns the tangential modulus `G*` (a pressure), with `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2`. It is the
     /// modulus in the stiffness `8 G* a` of Johnson and Mindlin for a sticking circular contact of radius `a`.
     #[must_use]

@@ -202,8 +202,7 @@ impl CoupledIncrement {
             self.report(),
         );
         normal.set_coupled(self.bodies.pair().is_coupled());
-        let reached = |of: &Hardness| of.reached_cells(&self.bodies, &self.tractions[0]);
-        normal.set_yielded_cells(hardness.map_or(0, reached));
+        normal.compare_with(&self.bodies, hardness);
     }
 
     /// Discards the solution, so that the next step starts from scratch.

@@ -156,7 +156,12 @@ impl HalfSpace {
 
     /// Returns the smallest sample of a field of the whole grid.
     pub(crate) fn least(&self, field: &Field) -> f64 {
-        self.over_ranks(field.min(), f64::min)
+        self.least_of(field.min())
+    }
+
+    /// Returns the smallest of the values of all ranks.
+    pub(crate) fn least_of(&self, local: f64) -> f64 {
+        self.over_ranks(local, f64::min)
     }
 
     /// Returns the largest sample of a field of the whole grid.

@@ -86,8 +86,8 @@ impl NormalSolution {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(Warning::of_status(self.report().status));
         warnings.extend(beyond);
-        let parts = self.low_hardness();
-        warnings.extend(parts.map(|parts| Warning::LowHardness { parts }));
+        let [low, high] = [self.low_hardness(), self.high_hardness()];
+        warnings.extend(Warning::of_hardness(low, high));
         warnings.extend(self.discretisation_warning()?);
         warnings.extend(self.scale().warnings());
         warnings.extend(self.coating_warnings().into_iter().flatten());
@@ -149,6 +149,16 @@ impl NormalSolution {
         // The edge of the contact may contain a few elastic cells.
         let is_yielded = || 10 * self.yielded_cells() >= 9 * self.contact_cells();
         (parts > LOWEST_HARDNESS && is_yielded()).then_some(parts)
+    }
+
+    /// Returns the hardness divided by the contact modulus in thousandths, if the hardness exceeds this modulus and no cell has
+    /// reached it. The larger one of two such values counts: the hardness of the softer material and the limit of the pressure.
+    pub(crate) fn high_hardness(&self) -> Option<usize> {
+        let of_material = self.pair.limit_over_modulus(self.pair.hardness());
+        let of_material = of_material
+            .and_then(Warning::limit_beyond)
+            .filter(|_| self.overloaded_cells() == 0);
+        of_material.max(self.hardness_per_mille)
     }
 
     /// Returns the number of contact cells on the edges across which the grid is not periodic.

@@ -171,6 +171,17 @@ impl Hardness {
         reduce::sum(&bodies.grid_layout(), |i| usize::from(is_reached(i)))
     }
 
+    /// Returns the smallest positive limit of the local cells, or infinity if all limits are zero.
+    pub(crate) fn least_limit(&self) -> f64 {
+        match self.limits() {
+            PerCell::Uniform(limit) => limit,
+            PerCell::Cells(limits) => {
+                let positive = limits.iter().copied().filter(|limit| *limit > 0.0);
+                positive.fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
     /// Returns whether the pressure of any cell of the whole grid exceeds the limit.
     pub(crate) fn is_exceeded(&self, bodies: &HalfSpace, pressure: &[f64]) -> bool {
         let limits = self.limits();

@@ -236,9 +236,7 @@ impl PressureSolver {
         let displacement = engine.as_ref().map_or(&[][..], NormalEngine::displacement);
         let NormalInput { bodies, gap, .. } = of;
         solution.fill(bodies, gap, displacement, self.approach, &self.report);
-        let pressure = solution.pressure().as_slice();
-        let yielded = of.yielded(pressure);
-        solution.set_yielded_cells(yielded);
+        solution.compare_with(bodies, of.hardness);
         match engine {
             Some(engine) if self.is_start => engine.rest(),
             engine => *engine = None,
@@ -251,12 +249,11 @@ impl PressureSolver {
         of: &NormalInput<'_>,
         pressure: Vec<f64>,
     ) -> Result<NormalSolution> {
-        let yielded = of.yielded(&pressure);
         let displacement = self.windows.present.map(NormalEngine::into_displacement);
         let fields = [pressure, displacement.unwrap_or_default()];
         let mut solution =
             NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)?;
-        solution.set_yielded_cells(yielded);
+        solution.compare_with(of.bodies, of.hardness);
         Ok(solution)
     }
 

@@ -26,6 +26,9 @@ pub(crate) struct Scale {
     /// neighbouring columns or rows.
     #[cfg_attr(feature = "serde", serde(default))]
     seam_times: [usize; 2],
+    /// Number of contact cells whose gap is almost but not exactly zero, if they are a large part of the contact.
+    #[cfg_attr(feature = "serde", serde(default))]
+    closed_cells: usize,
     /// Change of the gap before this solve like wear, divided by the largest displacement before and after it, in tenths.
     /// `None` for a small change.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -37,6 +40,14 @@ const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;
 
+/// Magnitude of the gap of a cell that counts as closed, in approaches. The gap under load of a solve with the default tolerance is
+/// smaller in contact cells.
+const CLOSED: f64 = 1e-7;
+/// Least part of the contact cells that are closed in a gap under load, and least part of either sign in them. Gaps of smooth
+/// surfaces that are flat in their middle have one sign.
+const CLOSED_PART: f64 = 0.2;
+const SIGNED_PART: f64 = 0.02;
+
 /// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2.
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
@@ -45,19 +56,28 @@ type Slopes = [f64; 6];
 /// neighbour, and sum of the squared slopes of these pairs.
 type Surroundings = [f64; 3];
 
+/// Number of contact cells, and numbers of closed cells with a negative and with a positive gap.
+type ClosedCells = [f64; 3];
+
 impl Scale {
     /// Measures the contact of a pressure over a gap before loading. Pairs of rows on different ranks do not count.
     pub(super) fn of(bodies: &HalfSpace, gap: &[f64], pressure: &[f64], approach: f64) -> Self {
         let grid = bodies.grid();
         let ([nx, ny], sides) = (grid.size(), [grid.dx(), grid.dy()]);
-        let (slopes, outer, [least, most]) = reduce::fold(
+        let largest_closed = CLOSED * approach;
+        let (slopes, outer, [least, most], closed) = reduce::fold(
             &bodies.grid_layout(),
             |cells| {
                 let (mut slopes, mut outer) =
                     ([Slopes::default(); 2], [Surroundings::default(); 2]);
                 let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+                let mut closed = ClosedCells::default();
                 for cell in cells.filter(|cell| pressure[*cell] > 0.0) {
                     (least, most) = (least.min(gap[cell]), most.max(pressure[cell]));
+                    closed[0] += 1.0;
+                    if gap[cell] != 0.0 && gap[cell].abs() < largest_closed {
+                        closed[if gap[cell] < 0.0 { 1 } else { 2 }] += 1.0;
+                    }
                     let (column, row) = (cell % nx, cell / nx);
                     let next = [
                         (column + 1 < nx).then_some(cell + 1),
@@ -84,11 +104,11 @@ impl Scale {
                         slopes[axis] = slopes[axis].plus([1.0, x, x * x, s, x * s, s * s]);
                     }
                 }
-                (slopes, outer, [least, most])
+                (slopes, outer, [least, most], closed)
             },
-            |(a, outer, [least, most]), (b, also, [lower, higher])| {
+            |(a, outer, [least, most], closed), (b, also, [lower, higher], closed_too)| {
                 let range = [least.min(lower), most.max(higher)];
-                (a.plus(b), outer.plus(also), range)
+                (a.plus(b), outer.plus(also), range, closed.plus(closed_too))
             },
         );
         let grid = grid.whole();
@@ -108,6 +128,7 @@ impl Scale {
             pressure_per_mille: whole(1e3 * most / bodies.pair().contact_modulus()),
             modulus_parts: whole(bodies.pair().contact_modulus() / most),
             seam_times: mean_jumps(bodies, gap, pressure).map(whole),
+            closed_cells: closed_part(closed),
             gap_change_tenths: None,
         }
     }
@@ -121,6 +142,7 @@ impl Scale {
             pressure_per_mille: self.pressure_per_mille.max(other.pressure_per_mille),
             modulus_parts: self.modulus_parts.max(other.modulus_parts),
             seam_times: [0, 1].map(|axis| self.seam_times[axis].max(other.seam_times[axis])),
+            closed_cells: self.closed_cells.max(other.closed_cells),
             gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
         }
     }
@@ -138,6 +160,7 @@ impl Scale {
             slope_per_mille,
             pressure_per_mille,
             seam_times,
+            closed_cells: cells,
             gap_change_tenths,
             ..
         } = self;
@@ -162,6 +185,7 @@ impl Scale {
             (slope_per_mille > LARGEST_SLOPE).then_some(slope),
             Warning::pressure_beyond(pressure_per_mille),
             (along_x || along_y).then_some(seam),
+            (cells > 0).then_some(Warning::ClosedGap { cells }),
             gap_change_tenths.map(|tenths| Warning::LargeGapChange { tenths }),
         ]
         .into_iter()
@@ -186,6 +210,17 @@ fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
     let is_line = grid.size().contains(&1);
     let reach = if is_line { 3.0_f64.sqrt() } else { 2.0 };
     reach * correlation * spread
+}
+
+/// Returns the number of closed cells, or zero if they are a small part of the contact or almost all have one sign.
+fn closed_part([contact, negative, positive]: ClosedCells) -> usize {
+    let cells = negative + positive;
+    let is_large = cells > 0.0 && cells >= CLOSED_PART * contact;
+    if is_large && negative.min(positive) >= SIGNED_PART * cells {
+        whole(cells)
+    } else {
+        0
+    }
 }
 
 /// Returns the nearest integer, or zero for a negative number. Also returns zero for a number that is not finite, which

@@ -15,6 +15,7 @@ use crate::grid::field::Field;
 use crate::grid::record::record;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::TryClone;
+use crate::normal::Hardness;
 use crate::normal::over_ranks::PressureSums;
 use crate::normal::scale::Scale;
 use crate::operator::Operator;
@@ -43,6 +44,10 @@ record! {
             /// Approach, contact radius and slope, stored for warnings.
             #[cfg_attr(feature = "serde", serde(default))]
             scale: Scale,
+            /// Limit of the pressure divided by the contact modulus in thousandths, if the limit exceeds this modulus and no cell
+            /// has reached it.
+            #[cfg_attr(feature = "serde", serde(default))]
+            pub(super) hardness_per_mille: Option<usize>,
             report: Report,
         }
         local {
@@ -95,6 +100,7 @@ impl NormalSolution {
             yielded_cells: 0,
             is_coupled: false,
             scale: Scale::default(),
+            hardness_per_mille: None,
             report: Report::with_room(),
             whole: None,
         })
@@ -137,6 +143,7 @@ impl NormalSolution {
             approach,
             yielded_cells: 0,
             is_coupled: false,
+            hardness_per_mille: None,
             report,
         })
     }
@@ -175,9 +182,19 @@ impl NormalSolution {
         Ok(())
     }
 
-    /// Sets the number of cells whose pressure is at the hardness.
-    pub(crate) fn set_yielded_cells(&mut self, cells: usize) {
+    /// Sets the number of cells whose pressure is at the hardness, and the smallest positive hardness of a cell.
+    pub(crate) fn set_yielded_cells(&mut self, cells: usize, least_hardness: f64) {
         self.yielded_cells = cells;
+        let ratio = self.pair.limit_over_modulus(least_hardness);
+        self.hardness_per_mille = ratio.filter(|_| cells == 0).and_then(Warning::limit_beyond);
+    }
+
+    /// Compares the pressure with the hardness of the contact, or with none. The function is collective.
+    pub(crate) fn compare_with(&mut self, bodies: &HalfSpace, hardness: Option<&Hardness>) {
+        let pressure = self.pressure.as_slice();
+        let cells = hardness.map_or(0, |of| of.reached_cells(bodies, pressure));
+        let least = hardness.map_or(f64::INFINITY, |of| bodies.least_of(of.least_limit()));
+        self.set_yielded_cells(cells, least);
     }
 
     pub(crate) fn pressure_mut(&mut self) -> &mut [f64] {
@@ -196,6 +213,7 @@ impl NormalSolution {
         (self.pair, self.cell_value) = (*bodies.pair(), bodies.cell_value());
         // The solution may have been written by another history before.
         (self.yielded_cells, self.is_coupled) = (0, false);
+        self.hardness_per_mille = None;
         self.gather_whole(bodies);
         let initial = initial.as_slice();
         parallel::update(self.gap.as_mut_slice(), |first, chunk| {

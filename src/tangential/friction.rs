@@ -13,7 +13,6 @@ use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible::try_clone;
 use crate::parallel::layout::Layout;
-use crate::warning::Warning;
 
 /// Coulomb friction with a uniform coefficient or a coefficient per cell, and an optional cap.
 ///
@@ -306,16 +305,14 @@ impl FrictionWithin<'_> {
         }
     }
 
-    /// Returns the friction capacity without the cap divided by the capacity, or `None` if the cap does not lower the capacity
-    /// much.
-    pub(crate) fn low_cap(&self, layout: &Layout, pressure: &[f64]) -> Option<usize> {
+    /// Returns the friction capacities without and with the cap, or `None` without a cap. The function is collective.
+    pub(crate) fn capacities(&self, layout: &Layout, pressure: &[f64]) -> Option<[f64; 2]> {
         let cap = self.friction.max_shear_stress?;
         let coefficients = self.friction.coefficients();
-        let [without, capacity] = reduce::sum(layout, |cell| {
+        Some(reduce::sum(layout, |cell| {
             let limit = coefficients.of(self.place(cell)) * pressure[cell];
             [limit, limited(limit, cap)]
-        });
-        Warning::cap_below(without / capacity)
+        }))
     }
 
     /// Returns the limit of a cell under a pressure.

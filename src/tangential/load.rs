@@ -3,8 +3,10 @@
 use crate::cgm::Total;
 use crate::contact::LoadIncrement;
 use crate::error::{Error, Result, finite, positive};
+use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::tangential::{Axis, RigidMotion, TangentialModel};
+use crate::warning::Warning;
 
 /// Prescribed tangential load along one axis.
 ///
@@ -200,6 +202,18 @@ impl TangentialTarget {
                 stiffness,
             },
         })
+    }
+
+    /// Returns the largest stretch of a spring at this shift over the longest side of the grid, or `None` if it is small.
+    pub(crate) fn spring_sides(&self, grid: Grid, shift: [f64; 2]) -> Option<usize> {
+        let stretches = self.controls.iter().zip(shift);
+        let sides = stretches.map(|(control, shift)| match control {
+            TangentialControl::Spring { position, .. } => {
+                Warning::spring_beyond(grid, position - shift)
+            }
+            _ => None,
+        });
+        sides.max().flatten()
     }
 
     /// Returns an error if tractions along these axes cannot carry the load. Pressure and friction are checked later.

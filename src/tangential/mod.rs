@@ -58,6 +58,7 @@ pub(crate) mod entry_rule;
 mod friction;
 mod friction_limits;
 mod friction_problem;
+mod friction_scale;
 mod increment;
 #[cfg(feature = "analytical")]
 mod jaeger;
@@ -84,6 +85,7 @@ pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
 pub(crate) use friction_limits::{PressureOnWindow, SLIDING, is_at_limit};
 pub(crate) use friction_problem::{prolongated_traction, reserve};
+pub(crate) use friction_scale::FrictionScale;
 pub(crate) use increment::{Start, TangentialIncrement};
 #[cfg(feature = "analytical")]
 #[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]

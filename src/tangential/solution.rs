@@ -19,7 +19,10 @@ use crate::report::Report;
 use crate::support::debug::shown;
 use crate::tangential::over_ranks::{ShearSums, TractionSums};
 use crate::tangential::rigid_motion::centre;
-use crate::tangential::{Axis, Friction, RelativeDisplacement, StepSolution, Zone, displacement};
+use crate::tangential::{
+    Axis, Friction, FrictionScale, RelativeDisplacement, StepSolution, TangentialTarget, Zone,
+    displacement,
+};
 use crate::warning::{Resolution, Warning};
 
 record! {
@@ -48,12 +51,12 @@ record! {
             /// Whether no cell slips, but the outermost cells contain a slip zone.
             #[cfg_attr(feature = "serde", serde(default))]
             hides_slip: bool,
-            /// Largest coefficient of friction that is not common, in tenths.
+            /// Coefficient and cap of the friction, stored for warnings.
             #[cfg_attr(feature = "serde", serde(default))]
-            friction_tenths: Option<usize>,
-            /// Friction capacity without the cap divided by the capacity, if the cap is low.
+            friction_scale: FrictionScale,
+            /// Largest stretch of a spring that is long, in longest sides of the grid.
             #[cfg_attr(feature = "serde", serde(default))]
-            cap_parts: Option<usize>,
+            spring_sides: Option<usize>,
             /// Warning about a prescribed pressure far below or above the contact modulus.
             #[cfg_attr(feature = "serde", serde(default))]
             pressure_warning: Option<Warning>,
@@ -110,8 +113,8 @@ impl TangentialSolution {
             coupled: None,
             is_pressed_at_once: false,
             hides_slip: false,
-            friction_tenths: None,
-            cap_parts: None,
+            friction_scale: FrictionScale::default(),
+            spring_sides: None,
             pressure_warning: None,
             coupling_per_cent: None,
             displacement_tenths: None,
@@ -135,8 +138,7 @@ impl TangentialSolution {
         }
         (self.axis, self.cell_value) = (axis, bodies.cell_value());
         self.pair = *bodies.pair();
-        self.friction_tenths = Warning::friction_beyond(friction.largest_coefficient(bodies));
-        self.cap_parts = answer.low_cap(friction);
+        self.friction_scale = FrictionScale::of(bodies, friction, answer.capacities(friction));
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
         answer.with_held(|answer| {
@@ -151,7 +153,7 @@ impl TangentialSolution {
             Warning::shift_beyond(self.grid(), [largest, 0.0])
         });
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
-        self.hides_slip = self.friction_tenths.is_none()
+        self.hides_slip = self.friction_scale.is_common()
             && answer.with_held(|answer| answer.hides_slip(|cell| answer.traction(cell)));
     }
 
@@ -164,6 +166,11 @@ impl TangentialSolution {
     /// Sets whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
         self.is_pressed_at_once = is_at_once;
+    }
+
+    /// Records a spring of the load that is long at the present shift.
+    pub(crate) fn set_load(&mut self, load: &TangentialTarget) {
+        self.spring_sides = load.spring_sides(self.grid(), self.shift);
     }
 
     /// Sets Dundurs' beta over the mean coefficient of friction in per cent, if the model neglects large tractions.
@@ -410,20 +417,21 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large bulk strain, a large
-    /// twist, a large coefficient of friction, a low cap of the friction, neglected tractions and a low or high prescribed
-    /// pressure.
+    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a long spring, a large bulk
+    /// strain, a large twist, a large coefficient of friction, a low or high cap of the friction, neglected tractions and a low or
+    /// high prescribed pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
-        let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
+        let sides = self.spring_sides;
+        let spring = sides.map(|sides| Warning::SpringBeyondGrid { sides });
         let strain = Warning::of_strain(self.strain_per_mille);
-        let of_shift = shift.into_iter().chain(strain).chain(twist);
+        let of_shift = shift.into_iter().chain(spring).chain(strain).chain(twist);
         let coupling = Warning::of_coupling(self.coupling_per_cent);
         of_shift
-            .chain(friction)
+            .chain(self.friction_scale.warning())
             .chain(coupling)
             .chain(self.pressure_warning)
     }

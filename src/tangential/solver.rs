@@ -271,6 +271,7 @@ impl Model<TangentialSolution> for TangentialProblem {
         let answer = engine.increment.answer();
         let input = (axis, &problem.friction, problem.relative.as_ref());
         solution.fill(bodies, input, &answer, &engine.report);
+        solution.set_load(&demand);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
         solution.set_neglected_traction(answer.neglected_traction(bodies, problem.coupling));
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);

@@ -115,12 +115,11 @@ impl<'a> StepSolution<'a> {
         })
     }
 
-    /// Returns the friction capacity without the cap of this friction divided by the capacity, or `None` if the cap does not lower
-    /// the capacity much.
-    pub(crate) fn low_cap(&self, friction: &Friction) -> Option<usize> {
+    /// Returns the friction capacities without and with the cap of this friction, or `None` without a cap.
+    pub(crate) fn capacities(&self, friction: &Friction) -> Option<[f64; 2]> {
         friction
             .within(self.region)
-            .low_cap(self.region.layout(), self.pressure)
+            .capacities(self.region.layout(), self.pressure)
     }
 
     /// Returns Dundurs' beta over the mean coefficient of friction in per cent, if one-way coupling acts along one axis only and

@@ -17,6 +17,12 @@ pub(crate) const THICKEST_LAYER: usize = 10;
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
+/// Largest stretch of a spring without a warning, in longest sides of the grid.
+pub(super) const LONGEST_SPRING: usize = 1_000;
+
+/// Largest limit of the pressure or of the traction without a warning, in contact moduli.
+const LARGEST_LIMIT: f64 = 1.0;
+
 /// Largest component of a bulk strain without a warning, in tenths of a per cent.
 const LARGEST_STRAIN: usize = 20;
 
@@ -172,10 +178,26 @@ impl Warning {
         (per_mille > LARGEST_PRESSURE).then_some(Self::PressureBeyondModulus { per_mille })
     }
 
-    /// Returns the warning about a large coefficient of friction, or about a low cap of the friction.
-    pub(crate) fn of_friction(tenths: Option<usize>, cap_parts: Option<usize>) -> Option<Self> {
-        let large = tenths.map(|tenths| Self::LargeFriction { tenths });
-        large.or_else(|| cap_parts.map(|parts| Self::LowShearStress { parts }))
+    /// Returns the warning about a low hardness at the pressure of a contact, or about a hardness above the contact modulus.
+    pub(crate) fn of_hardness(parts: Option<usize>, per_mille: Option<usize>) -> Option<Self> {
+        let low = parts.map(|parts| Self::LowHardness { parts });
+        low.or_else(|| per_mille.map(|per_mille| Self::HardnessBeyondModulus { per_mille }))
+    }
+
+    /// Returns a limit of the pressure or of the traction over the contact modulus in thousandths, or `None` if the limit is at
+    /// most this modulus.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the ratio is positive, and a large one saturates"
+    )]
+    pub(crate) fn limit_beyond(ratio: f64) -> Option<usize> {
+        (ratio > LARGEST_LIMIT).then(|| (1e3 * ratio).round() as usize)
+    }
+
+    /// Returns the stretch of a spring over the longest side of the whole grid, or `None` if the ratio is small.
+    pub(crate) fn spring_beyond(grid: Grid, stretch: f64) -> Option<usize> {
+        parts_beyond(stretch.abs() / grid.whole().longest_side(), LONGEST_SPRING)
     }
 
     /// Returns the warning for a residual of a cycle, or `None` if the residual is small.

@@ -7,6 +7,7 @@ variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
     ApproachBeyondGrid ShiftBeyondGrid LargeBulkStrain LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
+    SpringBeyondGrid HardnessBeyondModulus ShearStressBeyondModulus ClosedGap
     LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift NeglectedTraction CoatingBeyondGrid
@@ -122,7 +123,11 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::ShiftBeyondGrid { tenths: 25 },
-            "the shift or relative displacement of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of displacements and grid",
+            "the shift or relative displacement of the step or cycle is 2.5 times the longest side of the grid, expected less than 1: check the units of displacements and grid",
+        ),
+        (
+            Warning::SpringBeyondGrid { sides: 3_000_000 },
+            "a spring is stretched by 3000000 times the longest side of the grid, expected at most 1000: check that position and stiffness are not exchanged, and check their units",
         ),
         (
             Warning::LargeBulkStrain { per_mille: 52 },
@@ -130,7 +135,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::LargeTwist { tenths: 20 },
-            "the twist of the step is 2.0 radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
+            "the twist of the step or cycle is 2.0 radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
         ),
         (
             Warning::LargeCreepage { per_cent: 50 },
@@ -149,6 +154,16 @@ fn every_warning_has_its_text() {
             "almost all contact cells are at the hardness, and the largest pressure is 1/115000000 of the contact modulus, expected at least 1/10000: check the units of hardness and modulus, or prescribe the normal force",
         ),
         (
+            Warning::HardnessBeyondModulus { per_mille: 12_340 },
+            "the hardness is 12.34 of the contact modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
+        ),
+        (
+            Warning::ShearStressBeyondModulus {
+                per_mille: 4_350_000,
+            },
+            "the largest shear stress of the friction is 4350.00 of the contact modulus, expected less than 0.01, so that it has no effect: check the units of stress and modulus, or omit this stress",
+        ),
+        (
             Warning::LowShearStress { parts: 650_000 },
             "the largest shear stress lowers the friction capacity to 1/650000, expected at least 1/100: check the units of this stress and of the pressure, or prescribe the tangential force",
         ),
@@ -163,6 +178,10 @@ fn every_warning_has_its_text() {
         (
             Warning::LargeGapChange { tenths: 125 },
             "the gap of contact cells changed by 12.5 times the largest normal displacement of the contacts before and after, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), change the gap in more updates, or ignore this for another surface",
+        ),
+        (
+            Warning::ClosedGap { cells: 480 },
+            "the gap before loading is almost but not exactly zero in 480 contact cells, as the gap under load of an earlier solution: pass the gap of the unloaded surfaces, or ignore this for flat surfaces",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },

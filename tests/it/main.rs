@@ -145,6 +145,7 @@ mod thread_determinism;
 mod unchanged_problems;
 mod user_kernels;
 mod user_operators;
+mod values_without_effect;
 mod vector_model;
 mod vector_springs;
 mod warm_starts;

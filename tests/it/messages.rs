@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use kit::first_of;
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{AdaptiveSteps, Cycle, Rolling};
 use stickslip::influence::Direction::Z;
@@ -459,11 +460,6 @@ fn narrow_slip_in_small_spots_gives_no_warning() {
 
 fn step_warns(history: &History, is_meant: impl Fn(&Warning) -> bool) -> bool {
     history.last_step().unwrap().warnings().iter().any(is_meant)
-}
-
-/// Returns the first warning of a kind.
-fn first_of(warnings: Vec<Warning>, is_of_kind: impl Fn(&Warning) -> bool) -> Option<Warning> {
-    warnings.into_iter().find(is_of_kind)
 }
 
 /// Returns the warnings of a point of a creep curve.

@@ -149,9 +149,9 @@ pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
 pub const STICKSLIP_WARNING_COATING_BEYOND_GRID: i32 = 18;
 /// Warning: a layer is too thin to have an effect on the cells.
 pub const STICKSLIP_WARNING_COATING_BELOW_CELL: i32 = 19;
-/// Warning: the shift or relative displacement of a step exceeds the longest side of the grid.
+/// Warning: the shift or relative displacement of a step, or the range of the shift of a cycle, exceeds the longest side of the grid.
 pub const STICKSLIP_WARNING_SHIFT_BEYOND_GRID: i32 = 20;
-/// Warning: the twist of a step exceeds 0.2 rad.
+/// Warning: the twist of a step, or the range of the twist of a cycle, exceeds 0.2 rad.
 pub const STICKSLIP_WARNING_LARGE_TWIST: i32 = 21;
 /// Warning: the creepage of rolling bodies is 0.1 or more.
 pub const STICKSLIP_WARNING_LARGE_CREEPAGE: i32 = 22;
@@ -181,6 +181,14 @@ pub const STICKSLIP_WARNING_PERIODIC_SEAM: i32 = 33;
 pub const STICKSLIP_WARNING_LARGE_BULK_STRAIN: i32 = 34;
 /// Warning: the scalar model with one-way coupling neglects large tractions across its axis.
 pub const STICKSLIP_WARNING_NEGLECTED_TRACTION: i32 = 35;
+/// Warning: a spring is stretched by more than a thousand longest sides of the grid, as with exchanged position and stiffness.
+pub const STICKSLIP_WARNING_SPRING_BEYOND_GRID: i32 = 36;
+/// Warning: the hardness exceeds the contact modulus and has no effect.
+pub const STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS: i32 = 37;
+/// Warning: the largest shear stress of the friction exceeds the contact modulus and has no effect.
+pub const STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS: i32 = 38;
+/// Warning: the gap before loading resembles the gap under load of an earlier solution.
+pub const STICKSLIP_WARNING_CLOSED_GAP: i32 = 39;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -253,6 +261,14 @@ impl From<&Warning> for stickslip_warning {
             Warning::LowPressure { .. } => (STICKSLIP_WARNING_LOW_PRESSURE, 0, 0),
             Warning::PeriodicSeam { .. } => (STICKSLIP_WARNING_PERIODIC_SEAM, 0, 0),
             Warning::LargeBulkStrain { .. } => (STICKSLIP_WARNING_LARGE_BULK_STRAIN, 0, 0),
+            Warning::SpringBeyondGrid { .. } => (STICKSLIP_WARNING_SPRING_BEYOND_GRID, 0, 0),
+            Warning::HardnessBeyondModulus { .. } => {
+                (STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS, 0, 0)
+            }
+            Warning::ShearStressBeyondModulus { .. } => {
+                (STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS, 0, 0)
+            }
+            Warning::ClosedGap { cells } => (STICKSLIP_WARNING_CLOSED_GAP, cells, 0),
             Warning::OpenCycle { .. } => (STICKSLIP_WARNING_OPEN_CYCLE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),

@@ -119,12 +119,14 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
-/// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_bulk_strain``, ``large_twist``,
-/// ``large_creepage``, ``large_friction``, ``low_hardness``, ``low_shear_stress``, ``low_pressure``,
-/// ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``, ``not_converged``, ``steep_surface``,
-/// ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``neglected_traction``,
-/// ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are
-/// ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
+/// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``spring_beyond_grid``,
+/// ``large_bulk_strain``, ``large_twist``, ``large_creepage``, ``large_friction``, ``low_hardness``,
+/// ``hardness_beyond_modulus``, ``low_shear_stress``, ``shear_stress_beyond_modulus``, ``low_pressure``,
+/// ``large_gap_change``, ``closed_gap``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``,
+/// ``not_converged``, ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``,
+/// ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``neglected_traction``, ``coating_beyond_grid``,
+/// ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are ``[warning.kind
+/// for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
 #[pyclass(frozen, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -157,14 +159,18 @@ impl Warning {
             W::DiscretisationError { .. } => "discretisation_error",
             W::ApproachBeyondGrid { .. } => "approach_beyond_grid",
             W::ShiftBeyondGrid { .. } => "shift_beyond_grid",
+            W::SpringBeyondGrid { .. } => "spring_beyond_grid",
             W::LargeBulkStrain { .. } => "large_bulk_strain",
             W::LargeTwist { .. } => "large_twist",
             W::LargeCreepage { .. } => "large_creepage",
             W::LargeFriction { .. } => "large_friction",
             W::LowHardness { .. } => "low_hardness",
+            W::HardnessBeyondModulus { .. } => "hardness_beyond_modulus",
+            W::ShearStressBeyondModulus { .. } => "shear_stress_beyond_modulus",
             W::LowShearStress { .. } => "low_shear_stress",
             W::LowPressure { .. } => "low_pressure",
             W::LargeGapChange { .. } => "large_gap_change",
+            W::ClosedGap { .. } => "closed_gap",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::PressureBeyondModulus { .. } => "pressure_beyond_modulus",
             W::PeriodicSeam { .. } => "periodic_seam",
@@ -190,6 +196,7 @@ impl Warning {
         match self.0 {
             W::ContactAtEdge { cells }
             | W::BeyondHardness { cells }
+            | W::ClosedGap { cells }
             | W::UnderresolvedContact { cells }
             | W::UnderresolvedStickZone { cells } => Some(cells),
             _ => None,

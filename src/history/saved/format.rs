@@ -228,9 +228,10 @@ impl State {
         };
         let pressure = self.normal.pressure().as_slice();
         let limits = hardness.limits();
+        let least = hardness.least_limit();
         let is_reached = |i: &usize| limits.are_reached(*i, pressure[*i]);
         let yielded = (0..pressure.len()).filter(is_reached).count();
-        self.normal.set_yielded_cells(yielded);
+        self.normal.set_yielded_cells(yielded, least);
     }
 
     fn visit_relative<C: Codec>(&mut self, codec: &mut C) -> Result<()> {

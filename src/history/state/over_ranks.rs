@@ -12,10 +12,7 @@ impl State {
     /// Computes the counts and sums over all ranks, which the fields of a slab do not contain.
     pub(in crate::history) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.normal.gather_whole(bodies);
-        if let Some(hardness) = &self.hardness {
-            let yielded = hardness.reached_cells(bodies, self.pressure().as_slice());
-            self.normal.set_yielded_cells(yielded);
-        }
+        self.normal.compare_with(bodies, self.hardness.as_ref());
         self.normal.measure_scale(bodies, &self.pressed_gap);
         self.gather_capacity(bodies);
         self.zone_cells = self.cells_of_zones(&bodies.grid_layout());

@@ -18,7 +18,7 @@ use crate::parallel::Blocks;
 use crate::parallel::ranks::WireFormat;
 use crate::report::Report;
 use crate::rolling::RollingShift;
-use crate::tangential::{RigidMotion, StepSolution, Zone, at};
+use crate::tangential::{FrictionScale, RigidMotion, StepSolution, Zone, at};
 use crate::warning::{Resolution, Warning};
 
 impl History {
@@ -66,7 +66,7 @@ impl History {
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
             neglected_lift: scheme.neglected_lift(),
-            friction_tenths: Warning::friction_beyond(state.friction.largest_coefficient(bodies)),
+            is_rolled: travel.is_some(),
             ..StepDiagnostics::default()
         };
         state.is_friction_new = false;
@@ -76,10 +76,11 @@ impl History {
         let unsolved = Report::unsolved();
         let report = found.map_or(&unsolved, |_| scheme.report());
         step.tangential_report.clone_from(report);
-        step.remarks.cap_parts = found.and_then(|found| found.low_cap(&state.friction));
+        let capacities = found.and_then(|found| found.capacities(&state.friction));
+        step.remarks.friction = FrictionScale::of(bodies, &state.friction, capacities);
         step.remarks.coupling_per_cent =
             found.and_then(|found| found.neglected_traction(bodies, state.coupling));
-        let RigidMotion { shift, twist } = motion.since(state.motion);
+        let change = motion.since(state.motion);
         let before = candidate.held().map(NormalSolution::pressure);
         // After a return to an earlier state, the window may differ from the window of the last step.
         let window = found.map(|found| found.region.window());
@@ -95,7 +96,8 @@ impl History {
         }
         commit_tractions(found, motion, travel.as_ref(), state, step);
         let rolled = load.rolling().zip(*travel);
-        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, shift, travel.length));
+        step.creepage =
+            rolled.map(|(rolling, travel)| rolling.reached(load, change.shift, travel.length));
         step.remarks.resolution = resolution_of_zones(state, step, hides_slip, travel.is_some());
         if let (Some(before), None) = (before, travel) {
             let layout = bodies.grid_layout();
@@ -111,13 +113,11 @@ impl History {
         }
         step.remarks.scale = state.normal.scale();
         step.remarks.hardness_parts = state.normal.low_hardness();
+        step.remarks.hardness_per_mille = state.normal.high_hardness();
         if !step.remarks.is_apart {
             step.remarks.strain_per_mille = state.large_strain(bodies, load);
-        }
-        if travel.is_none() && !step.remarks.is_apart {
-            step.remarks.shift_tenths =
-                Warning::shift_beyond(state.grid(), shift).max(displacement_tenths);
-            step.remarks.twist_tenths = Warning::twist_beyond(twist);
+            let moved = (change, displacement_tenths);
+            measure_motion(state, input, moved, &mut step.remarks);
         }
         let contact = (&*bodies, state.normal.pressure());
         let creepage = load.rolling().and_then(|roll| roll.large_creepage(contact));
@@ -129,10 +129,27 @@ impl History {
     }
 }
 
+/// Adds the diagnostics about the motion in a step and about its springs, unless the step rolls. `displacement_tenths` belongs to
+/// the relative displacement.
+fn measure_motion(
+    state: &State,
+    input: &StepInput<'_>,
+    (change, displacement_tenths): (RigidMotion, Option<usize>),
+    remarks: &mut StepDiagnostics,
+) {
+    if input.travel.is_some() {
+        return;
+    }
+    let grid = state.grid();
+    remarks.shift_tenths = Warning::shift_beyond(grid, change.shift).max(displacement_tenths);
+    remarks.twist_tenths = Warning::twist_beyond(change.twist);
+    remarks.spring_sides = input.target.spring_sides(grid, state.motion.shift);
+}
+
 /// Returns whether a step has a slip zone inside its outermost cells although no cell slips. The state has the tractions before
 /// the step.
 fn hides_slip(found: Option<StepSolution<'_>>, state: &State, step: &StepResult) -> bool {
-    step.remarks.friction_tenths.is_none()
+    step.remarks.friction.is_common()
         && found.is_some_and(|found| {
             found.with_held(|found| {
                 let held = found.region.held();

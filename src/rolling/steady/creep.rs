@@ -30,9 +30,10 @@ pub struct CreepForce {
 
 impl CreepForce {
     /// Returns the warnings about the loads of the point: [`Warning::LargeCreepage`], [`Warning::LargeFriction`],
-    /// [`Warning::LowShearStress`] and [`Warning::NeglectedLift`]. For a prescribed pressure they include [`Warning::LowPressure`] or
-    /// [`Warning::PressureBeyondModulus`]. [`RollingSolution::warnings`](crate::rolling::RollingSolution::warnings) also contains
-    /// those about the contact, which is the same at all points.
+    /// [`Warning::LowShearStress`], [`Warning::ShearStressBeyondModulus`] and [`Warning::NeglectedLift`]. For a prescribed
+    /// pressure they include [`Warning::LowPressure`] or [`Warning::PressureBeyondModulus`].
+    /// [`RollingSolution::warnings`](crate::rolling::RollingSolution::warnings) also contains those about the contact, which is the
+    /// same at all points.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.into_iter().flatten().collect()

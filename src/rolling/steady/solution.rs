@@ -14,7 +14,7 @@ use crate::parallel::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
 use crate::support::debug::shown;
-use crate::tangential::{Friction, Zone, centre, is_at_limit};
+use crate::tangential::{Friction, FrictionScale, Zone, centre, is_at_limit};
 use crate::warning::Warning;
 
 record! {
@@ -33,12 +33,9 @@ record! {
             /// needs no warning.
             #[cfg_attr(feature = "serde", serde(default))]
             neglected_lift: Option<usize>,
-            /// Largest coefficient of friction that is not common, in tenths.
+            /// Coefficient and cap of the friction, stored for warnings.
             #[cfg_attr(feature = "serde", serde(default))]
-            friction_tenths: Option<usize>,
-            /// Friction capacity without the cap divided by the capacity, if the cap is low.
-            #[cfg_attr(feature = "serde", serde(default))]
-            cap_parts: Option<usize>,
+            friction_scale: FrictionScale,
             /// Warning about a prescribed pressure far below or above the contact modulus.
             #[cfg_attr(feature = "serde", serde(default))]
             pressure_warning: Option<Warning>,
@@ -80,8 +77,7 @@ impl RollingSolution {
             creepage: [0.0; 2],
             spin: 0.0,
             neglected_lift: None,
-            friction_tenths: None,
-            cap_parts: None,
+            friction_scale: FrictionScale::default(),
             pressure_warning: None,
             boundary: Boundary::default(),
             halfway: [0.0; 2],
@@ -103,11 +99,10 @@ impl RollingSolution {
         self.zones.fill(Zone::Separated);
         self.boundary = problem.bodies.boundary();
         self.halfway = problem.halfway();
-        let coefficient = problem.friction.largest_coefficient(&problem.bodies);
-        self.friction_tenths = Warning::friction_beyond(coefficient);
         let pressed = &problem.pressed;
         let friction = problem.friction.within(&pressed.region);
-        self.cap_parts = friction.low_cap(pressed.region.layout(), &pressed.pressure);
+        let capacities = friction.capacities(pressed.region.layout(), &pressed.pressure);
+        self.friction_scale = FrictionScale::of(&problem.bodies, &problem.friction, capacities);
         let of_pressure = || pressed.pressure_warning(&problem.bodies);
         self.pressure_warning = problem.is_prescribed.then(of_pressure).flatten();
         self.scale = problem.scale;
@@ -284,8 +279,8 @@ impl RollingSolution {
 
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
     /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`],
-    /// [`Warning::LargeFriction`] or [`Warning::LowShearStress`], and [`Warning::LowPressure`] or
-    /// [`Warning::PressureBeyondModulus`] for a prescribed pressure. If the solver has computed the pressure after
+    /// [`Warning::LargeFriction`], [`Warning::LowShearStress`] or [`Warning::ShearStressBeyondModulus`], and
+    /// [`Warning::LowPressure`] or [`Warning::PressureBeyondModulus`] for a prescribed pressure. If the solver has computed the pressure after
     /// [`set_normal_load`](crate::rolling::RollingSolver::set_normal_load), the warnings also concern the gap, the approach and the
     /// size of this pressure. Otherwise the solution that was set as pressure has its own warnings.
     #[must_use]
@@ -301,14 +296,14 @@ impl RollingSolution {
         warnings
     }
 
-    /// Returns the warnings about a neglected lift, a large creepage or spin, a large coefficient of friction or a low cap of the
-    /// friction, and a low or high prescribed pressure.
+    /// Returns the warnings about a neglected lift, a large creepage or spin, a large coefficient of friction or a low or high
+    /// cap of the friction, and a low or high prescribed pressure.
     pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 4] {
         let lift = self.neglected_lift;
         [
             lift.map(|per_million| Warning::NeglectedLift { per_million }),
             self.creepage_warning(),
-            Warning::of_friction(self.friction_tenths, self.cap_parts),
+            self.friction_scale.warning(),
             self.pressure_warning,
         ]
     }

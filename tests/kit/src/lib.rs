@@ -39,7 +39,7 @@ use stickslip::tangential::{TangentialProblemBuilder, TangentialSolver};
 use stickslip::{
     Boundary, Contact, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Operator, Result, Solver, TangentialControl, TangentialLoad,
-    TangentialProblem, TangentialSolution, surface,
+    TangentialProblem, TangentialSolution, Warning, surface,
 };
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
@@ -231,6 +231,11 @@ pub fn solve<B: SolvableBuilder>(builder: B) -> B::Solution {
 #[track_caller]
 pub fn solver<B: SolvableBuilder>(builder: B) -> B::Solver {
     builder.build_solver().unwrap()
+}
+
+/// Returns the first warning of a kind.
+pub fn first_of(warnings: Vec<Warning>, is_of_kind: impl Fn(&Warning) -> bool) -> Option<Warning> {
+    warnings.into_iter().find(is_of_kind)
 }
 
 /// Returns the next solution of a solver.
