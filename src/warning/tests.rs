@@ -155,13 +155,13 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::HardnessBeyondModulus { per_mille: 12_340 },
-            "the hardness is 12.34 of the contact modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
+            "the hardness is 12.34 times the contact modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
         ),
         (
             Warning::ShearStressBeyondModulus {
                 per_mille: 4_350_000,
             },
-            "the largest shear stress of the friction is 4350.00 of the contact modulus, expected less than 0.01, so that it has no effect: check the units of stress and modulus, or omit this stress",
+            "the largest shear stress of the friction is 4350.00 times the contact modulus, expected less than 0.01, so that it has no effect: check the units of stress and modulus, or omit this stress",
         ),
         (
             Warning::LowShearStress { parts: 650_000 },
@@ -181,7 +181,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::ClosedGap { cells: 480 },
-            "the gap before loading is almost but not exactly zero in 480 contact cells, as the gap under load of an earlier solution: pass the gap of the unloaded surfaces, or ignore this for flat surfaces",
+            "the gap before loading is almost but not exactly zero in 480 contact cells, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces, or ignore this for flat surfaces",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },

@@ -140,7 +140,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::HardnessBeyondModulus { per_mille } => write!(
                 formatter,
-                "the hardness is {:.2} of the contact modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
+                "the hardness is {:.2} times the contact modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
                 1e-3 * *per_mille as f64
             ),
             Self::LowShearStress { parts } => write!(
@@ -149,7 +149,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::ShearStressBeyondModulus { per_mille } => write!(
                 formatter,
-                "the largest shear stress of the friction is {:.2} of the contact modulus, expected less than 0.01, so that it has no effect: check the units of stress and modulus, or omit this stress",
+                "the largest shear stress of the friction is {:.2} times the contact modulus, expected less than 0.01, so that it has no effect: check the units of stress and modulus, or omit this stress",
                 1e-3 * *per_mille as f64
             ),
             Self::LowPressure { parts } => write!(
@@ -164,7 +164,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::ClosedGap { cells } => write!(
                 formatter,
-                "the gap before loading is almost but not exactly zero in {}, as the gap under load of an earlier solution: pass the gap of the unloaded surfaces, or ignore this for flat surfaces",
+                "the gap before loading is almost but not exactly zero in {}, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces, or ignore this for flat surfaces",
                 counted(*cells, "contact cell")
             ),
             Self::LargeContactRadius { per_mille } => write!(

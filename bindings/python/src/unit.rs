@@ -1,9 +1,11 @@
 //! Units of the lengths of surfaces, which are kept and compared but never required.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use pyo3::PyResult;
+use pyo3::PyClass;
 use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::pyclass::boolean_struct::True;
 
 /// Name of a unit as given by the user.
 pub(crate) type Unit = Arc<str>;
@@ -114,4 +116,28 @@ pub(crate) fn of_next_gap(last: Option<&Unit>, given: Option<Unit>) -> PyResult<
         }
         (last, given) => Ok(last.cloned().or(given)),
     }
+}
+
+/// Solution with the unit of its gap, which solves set in the finished object.
+pub(crate) trait GapUnit: PyClass<Frozen = True> + Sync {
+    fn unit_cell(&self) -> &OnceLock<Unit>;
+}
+
+/// Sets the unit of the gap in the solution of a solve, or in the last iterate of a failed solve.
+pub(crate) fn set_in<'py, T: GapUnit>(
+    outcome: PyResult<Bound<'py, T>>,
+    py: Python<'py>,
+    unit: Option<&Unit>,
+) -> PyResult<Bound<'py, T>> {
+    let iterate = match &outcome {
+        Ok(solution) => Some(solution.clone()),
+        Err(error) => {
+            let iterate = error.value(py).getattr("last_iterate").ok();
+            iterate.and_then(|iterate| iterate.cast_into().ok())
+        }
+    };
+    if let (Some(solution), Some(unit)) = (iterate, unit) {
+        solution.get().unit_cell().get_or_init(|| unit.clone());
+    }
+    outcome
 }

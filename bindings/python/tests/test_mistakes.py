@@ -691,6 +691,21 @@ def test_history_of_adaptive_contact_has_unit_of_its_gap(scene):
     options = {"force": FORCE, "friction": 0.5, "first_step": step, "target": target}
     contact = ss.adaptive.AdaptiveProblem(scene.bodies.pair, gap, region, **options).solve(warn=False)
     assert contact.history.unit == "m"
+    assert contact.normal.unit == "m"
+
+
+def test_coupled_solution_has_unit_of_gap(scene):
+    ball = ss.Field(scene.grid, scene.ball, unit="m")
+    problem = ss.CoupledProblem(scene.bodies, ball, 0.3, normal_force=FORCE, force_x=10.0)
+    solution = problem.solve()
+    assert solution.normal.unit == problem.solver().solve().normal.unit == pickle.loads(pickle.dumps(solution)).normal.unit == "m"
+    plain = ss.CoupledProblem(scene.bodies, scene.ball, 0.3, normal_force=FORCE, force_x=10.0).solve()
+    # A solution without a unit is equal to solutions in any unit.
+    assert plain.normal.unit is None and plain == solution
+    solver = ss.CoupledProblem(scene.bodies, scene.ball, 0.3, normal_force=FORCE, force_x=10.0).solver()
+    solver.set_gap(ball)
+    assert solver.solve().normal.unit == "m"
+
 
 
 def test_wear_depth_in_another_unit_is_rejected(scene):

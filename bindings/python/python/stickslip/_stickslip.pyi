@@ -1618,8 +1618,8 @@ class CoupledRollingSolver:
 class CoupledSolution:
     """
     Normal and tangential solution of a coupled contact, with the displacements that they cause together. Both solutions
-    and the arrays share the memory of this object. Two objects are equal if their solutions are equal, even if the
-    iterations differed.
+    and the arrays share the memory of this object. Two objects are equal if their solutions are equal and their units do
+    not differ, even if the iterations differed.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...

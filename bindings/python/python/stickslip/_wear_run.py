@@ -21,6 +21,7 @@ from ._arrays import read_only
 from ._checks import check_call, check_whole, kind, path_of, refuse_type
 from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
+from ._remarks import warn
 from ._stickslip import Cycle, Field, HalfSpace, History, State
 from ._tables import to_frame
 from ._wear_resume import check_contact, check_resume
@@ -29,6 +30,9 @@ from .errors import ArgumentRange, File, Format, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
+
+# Largest worn depth after a run with a warning, in approaches. The depth is then close to the round-off of the gap.
+LEAST_WEAR = 1e-12
 
 # Numbers in the names of partial files.
 _PARTIAL_FILES = itertools.count()
@@ -383,6 +387,9 @@ def run(
     After an exception, also after Ctrl-C, the history is in the state after the last jump, and the attribute ``snapshot``
     of the exception contains it. Pass it as ``resume`` to continue.
 
+    A complete run issues a :class:`~stickslip.errors.ContactWarning` if it removed less than 1e-12 of the approach although
+    cells dissipated energy. Common causes are a coefficient or a threshold in another unit.
+
     A resumed run equals an uninterrupted run bitwise, except that the last jump of a complete run is shortened to the
     requested number of cycles. With more cycles, an uninterrupted run would have made this jump in full.
 
@@ -448,6 +455,7 @@ def run(
                     ending = WearEnding.DEPTH if is_worn_out else WearEnding.CYCLE_LIMIT
                     rows.append(row)
                     snapshot = taken()
+                    warn(_remarks(history, snapshot))
                     return WearResult(ending, cycle, snapshot, tuple(snapshots))
                 limit = largest_depth(history) if callable(largest_depth) else largest_depth
                 limits = Limits(min(cycles - done, largest_jump or cycles), limit, max_depth, max_residual)
@@ -468,6 +476,20 @@ def run(
             history.set_state(snapshot.state)
             error.snapshot = snapshot  # type: ignore[attr-defined]
             raise
+
+
+def _remarks(history: History, snapshot: WearSnapshot) -> list[tuple[str, str]]:
+    """Returns the remark that a run removed almost nothing although cells dissipated energy."""
+    depth, energy = snapshot.depth.max(), snapshot.dissipation.max() / history.grid.cell_area
+    if not energy > 0.0 or depth > LEAST_WEAR * abs(history.approach):
+        return []
+    return [
+        (
+            "negligible_wear",
+            f"the largest worn depth after {snapshot.cycles} cycles is {depth:.3g} at an approach of {history.approach:.3g}, although "
+            f"cells dissipated up to {energy:.3g} per area: check the units of the coefficient of wear and of a threshold",
+        )
+    ]
 
 
 def _not_a_snapshot(start: bytes) -> tuple[str, str]:

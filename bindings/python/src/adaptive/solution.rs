@@ -162,7 +162,7 @@ impl AdaptiveSolution {
     /// The normal contact.
     #[getter]
     fn normal(&self) -> NormalSolution {
-        NormalSolution::of_adaptive(&self.solution)
+        NormalSolution::of_adaptive(&self.solution, self.unit.clone())
     }
 
     /// The tangential contact; ``None`` without a tangential load.

@@ -20,7 +20,7 @@ use crate::samples::Samples;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
-use crate::unit::{Unit, check_relative};
+use crate::unit::{Unit, check_relative, set_in};
 use crate::work::unobserved_on;
 
 /// Bodies, gap, friction and loads of a contact whose pressure and tractions are solved simultaneously, from rest in one
@@ -161,7 +161,8 @@ impl CoupledProblem {
         #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, CoupledSolution>> {
         let solver = || self.0.clone().into_solver();
-        solve_once(py, self.1.cells(), solver, progress, warn)
+        let outcome = solve_once(py, self.1.cells(), solver, progress, warn);
+        set_in(outcome, py, self.4.as_ref())
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.

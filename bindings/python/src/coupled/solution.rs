@@ -1,6 +1,6 @@
 //! Solutions of coupled contacts.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use pyo3::prelude::*;
 
@@ -11,19 +11,23 @@ use crate::digits::{short, tuple};
 use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
-use crate::pickle::picklable;
+use crate::pickle::{Reduced, Stored, reduced};
 use crate::readers::readers;
 use crate::report::{Warning, ending};
 use crate::stiffness::ContactStiffness;
 use crate::tangential::TangentialSolution;
+use crate::unit::{GapUnit, Unit, agree};
 use crate::work::{observed_on, watch};
 
 /// Normal and tangential solution of a coupled contact, with the displacements that they cause together. Both solutions
-/// and the arrays share the memory of this object. Two objects are equal if their solutions are equal, even if the
-/// iterations differed.
-#[pyclass(frozen, eq, module = "stickslip")]
-#[derive(PartialEq)]
-pub(crate) struct CoupledSolution(pub(crate) Arc<stickslip::CoupledSolution>);
+/// and the arrays share the memory of this object. Two objects are equal if their solutions are equal and their units do
+/// not differ, even if the iterations differed.
+#[pyclass(frozen, module = "stickslip")]
+pub(crate) struct CoupledSolution(
+    pub(crate) Arc<stickslip::CoupledSolution>,
+    /// Unit of the gap. Solves set it in the finished object.
+    OnceLock<Unit>,
+);
 
 impl CoupledSolution {
     pub(crate) fn get(&self) -> &stickslip::CoupledSolution {
@@ -33,11 +37,26 @@ impl CoupledSolution {
 
 impl From<Arc<stickslip::CoupledSolution>> for CoupledSolution {
     fn from(solution: Arc<stickslip::CoupledSolution>) -> Self {
-        Self(solution)
+        Self(solution, OnceLock::new())
     }
 }
 
-picklable!(CoupledSolution: stickslip::CoupledSolution);
+impl GapUnit for CoupledSolution {
+    fn unit_cell(&self) -> &OnceLock<Unit> {
+        &self.1
+    }
+}
+
+impl Stored for CoupledSolution {
+    type Content = (stickslip::CoupledSolution, Option<String>);
+
+    const KIND: &'static str = "CoupledSolution";
+
+    fn of_content((solution, unit): Self::Content) -> Self {
+        let unit = unit.map_or_else(OnceLock::new, |unit| OnceLock::from(Unit::from(unit)));
+        Self(Arc::new(solution), unit)
+    }
+}
 
 readers! { CoupledSolution.0:
     /// Elastic energy of both bodies.
@@ -53,7 +72,7 @@ impl CoupledSolution {
     /// The normal solution.
     #[getter]
     fn normal(&self) -> NormalSolution {
-        NormalSolution::of_coupled(&self.0)
+        NormalSolution::of_coupled(&self.0, self.1.get().cloned())
     }
 
     /// The tangential solution.
@@ -92,6 +111,15 @@ impl CoupledSolution {
             solution.stiffness_observed(bodies, &friction, watch(observer))
         });
         found.map(ContactStiffness)
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.0 == other.0 && agree(self.1.get(), other.1.get())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let unit = self.1.get().map(ToString::to_string);
+        reduced::<Self>(py, &((*self.0).clone(), unit))
     }
 
     fn __repr__(&self) -> String {

@@ -15,7 +15,7 @@ use crate::samples::Samples;
 use crate::sensitivity::sensitive;
 use crate::solution_pool::lock;
 use crate::solver::{Reused, created_by, frictional, solver};
-use crate::unit::Unit;
+use crate::unit::{Unit, set_in};
 
 /// Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
 #[pyclass(frozen, module = "stickslip")]
@@ -58,7 +58,9 @@ impl CoupledSolver {
         progress: Option<Bound<'py, PyAny>>,
         #[pyo3(from_py_with = crate::real::flag)] warn: bool,
     ) -> PyResult<Bound<'py, CoupledSolution>> {
-        self.0.solve(py, |_| Ok(()), progress, warn)
+        let unit = lock(&self.2, "solver")?;
+        let outcome = self.0.solve(py, |_| Ok(()), progress, warn);
+        set_in(outcome, py, unit.as_ref())
     }
 
     /// Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a

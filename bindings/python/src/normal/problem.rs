@@ -18,6 +18,7 @@ use crate::real::{Count, Real};
 use crate::samples::Samples;
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
+use crate::unit::set_in;
 use crate::work::unobserved_on;
 
 /// Bodies, gap and load of a normal contact.
@@ -138,7 +139,7 @@ impl NormalProblem {
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let solver = || self.problem.clone().into_solver();
         let outcome = solve_once(py, self.gap.0.grid().cells(), solver, progress, warn);
-        NormalSolution::in_unit(outcome, py, self.gap.1.as_ref())
+        set_in(outcome, py, self.gap.1.as_ref())
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.

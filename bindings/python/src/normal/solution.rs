@@ -19,7 +19,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
 use crate::stiffness::NormalStiffness;
-use crate::unit::{Unit, agree};
+use crate::unit::{GapUnit, Unit, agree};
 use crate::work::{observed_on, unobserved_on, watch};
 
 /// Owner of a normal solution.
@@ -49,40 +49,27 @@ impl NormalSolution {
         Self { source, unit }
     }
 
-    /// Sets the unit of the gap in the solution of a solve, or in the last iterate of a failed solve.
-    pub(super) fn in_unit<'py>(
-        outcome: PyResult<Bound<'py, Self>>,
-        py: Python<'py>,
-        unit: Option<&Unit>,
-    ) -> PyResult<Bound<'py, Self>> {
-        let iterate = match &outcome {
-            Ok(solution) => Some(solution.clone()),
-            Err(error) => {
-                let iterate = error.value(py).getattr("last_iterate").ok();
-                iterate.and_then(|iterate| iterate.cast_into().ok())
-            }
-        };
-        if let (Some(solution), Some(unit)) = (iterate, unit) {
-            solution.get().unit.get_or_init(|| unit.clone());
-        }
-        outcome
-    }
-
     /// Returns the unit of the gap, if it is known.
     pub(crate) fn unit_of_gap(&self) -> Option<&Unit> {
         self.unit.get()
     }
 
-    pub(crate) fn of_coupled(solution: &Arc<stickslip::CoupledSolution>) -> Self {
-        Self::from_source(Source::OfCoupled(Arc::clone(solution)), None)
+    pub(crate) fn of_coupled(
+        solution: &Arc<stickslip::CoupledSolution>,
+        unit: Option<Unit>,
+    ) -> Self {
+        Self::from_source(Source::OfCoupled(Arc::clone(solution)), unit)
     }
 
     pub(crate) fn of_state(state: &Arc<stickslip::history::State>, unit: Option<Unit>) -> Self {
         Self::from_source(Source::OfState(Arc::clone(state)), unit)
     }
 
-    pub(crate) fn of_adaptive(solution: &Arc<stickslip::adaptive::AdaptiveSolution>) -> Self {
-        Self::from_source(Source::OfAdaptive(Arc::clone(solution)), None)
+    pub(crate) fn of_adaptive(
+        solution: &Arc<stickslip::adaptive::AdaptiveSolution>,
+        unit: Option<Unit>,
+    ) -> Self {
+        Self::from_source(Source::OfAdaptive(Arc::clone(solution)), unit)
     }
 
     pub(crate) fn get(&self) -> &stickslip::NormalSolution {
@@ -92,6 +79,12 @@ impl NormalSolution {
             Source::OfState(state) => state.normal(),
             Source::OfAdaptive(solution) => solution.normal(),
         }
+    }
+}
+
+impl GapUnit for NormalSolution {
+    fn unit_cell(&self) -> &OnceLock<Unit> {
+        &self.unit
     }
 }
 

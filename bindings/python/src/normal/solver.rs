@@ -19,7 +19,7 @@ use crate::sensitivity::{Sensitivity, computed, sensitive, workspace};
 use crate::settings::Settings;
 use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
-use crate::unit::Unit;
+use crate::unit::{Unit, set_in};
 use crate::work::{unobserved_on, watch};
 
 /// Solves normal contacts on one grid repeatedly, each time from the last solution. The arguments are those of
@@ -217,7 +217,7 @@ impl NormalSolver {
             Ok(())
         };
         let outcome = self.0.solve(py, set, progress, warn);
-        NormalSolution::in_unit(outcome, py, given.gap.1.as_ref())
+        set_in(outcome, py, given.gap.1.as_ref())
     }
 
     /// Sets the load of the next solve.
