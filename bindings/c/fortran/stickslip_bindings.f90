@@ -54,6 +54,9 @@ module stickslip_bindings
     public :: stickslip_coupled_rolling_solution_results
     public :: stickslip_coupled_rolling_solution_report
     public :: stickslip_coupled_rolling_solution_warnings
+    public :: stickslip_rolling_solver_creep_forces
+    public :: stickslip_rolling_solver_creep_forces_observed
+    public :: stickslip_rolling_solver_creep_warnings
     public :: stickslip_cycle_new
     public :: stickslip_cycle_free
     public :: stickslip_cycle_begin
@@ -145,9 +148,6 @@ module stickslip_bindings
     public :: stickslip_rolling_solver_solve
     public :: stickslip_rolling_solver_stiffness
     public :: stickslip_rolling_solver_stiffness_observed
-    public :: stickslip_rolling_solver_creep_forces
-    public :: stickslip_rolling_solver_creep_forces_observed
-    public :: stickslip_rolling_solver_creep_warnings
     public :: stickslip_rolling_solution_new
     public :: stickslip_rolling_solution_free
     public :: stickslip_rolling_solution_field
@@ -1285,6 +1285,24 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_coupled_rolling_report
 
+    ! Creepages and spin: a point of a creep curve or a creep surface.
+    type, bind(c), public :: stickslip_creep_point
+        ! Creepages along x and y (dimensionless).
+        real(c_double) :: creepage(2) = 0
+        ! Spin (one over a length).
+        real(c_double) :: spin = 0
+    end type stickslip_creep_point
+
+    ! Loads due to creepages and spin.
+    type, bind(c), public :: stickslip_creep_force
+        ! Tangential force on body 1 along x and y.
+        real(c_double) :: force(2) = 0
+        ! Moment on body 1 about the origin of the grid (a force times a length).
+        real(c_double) :: moment = 0
+        ! Ratio of stick cells to contact cells.
+        real(c_double) :: stick_ratio = 0
+    end type stickslip_creep_force
+
     ! Scalar results of a cycle.
     type, bind(c), public :: stickslip_cycle_result
         ! Number of steps since the start of the cycle.
@@ -1473,24 +1491,6 @@ module stickslip_bindings
         ! Number of cells.
         integer(c_size_t) :: count = 0
     end type stickslip_tractions
-
-    ! Creepages and spin: a point of a creep curve or a creep surface.
-    type, bind(c), public :: stickslip_creep_point
-        ! Creepages along x and y (dimensionless).
-        real(c_double) :: creepage(2) = 0
-        ! Spin (one over a length).
-        real(c_double) :: spin = 0
-    end type stickslip_creep_point
-
-    ! Loads due to creepages and spin.
-    type, bind(c), public :: stickslip_creep_force
-        ! Tangential force on body 1 along x and y.
-        real(c_double) :: force(2) = 0
-        ! Moment on body 1 about the origin of the grid (a force times a length).
-        real(c_double) :: moment = 0
-        ! Ratio of stick cells to contact cells.
-        real(c_double) :: stick_ratio = 0
-    end type stickslip_creep_force
 
     ! Random surface with a self-affine power spectrum; stickslip_self_affine_default() returns the defaults. Wavelengths are
     ! lengths. The spectrum is constant from the longest wavelength to the roll-off. From there to the cut-off it decreases
@@ -2113,6 +2113,46 @@ module stickslip_bindings
             integer(c_size_t), intent(out), optional :: count
             integer(c_int32_t) :: answer
         end function stickslip_coupled_rolling_solution_warnings
+
+        ! Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
+        ! so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
+        ! point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+        ! points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
+        function stickslip_rolling_solver_creep_forces(solver, points, count, forces) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_creep_point), intent(in), optional :: points(*)
+            integer(c_size_t), value :: count
+            type(stickslip_creep_force), intent(inout), optional :: forces(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_creep_forces
+
+        ! Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
+        ! observer is called before every product with an operator and may end the call. The call then returns
+        ! STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
+        function stickslip_rolling_solver_creep_forces_observed(solver, points, count, observer, &
+            forces) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_creep_point), intent(in), optional :: points(*)
+            integer(c_size_t), value :: count
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_creep_force), intent(inout), optional :: forces(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_creep_forces_observed
+
+        ! Writes the warnings about the loads of the points that the last call of stickslip_rolling_solver_creep_forces has solved,
+        ! like stickslip_normal_solution_warnings. They include a creepage that may be in per cent. Each kind is listed once, for the
+        ! first point that has it. The list is empty before the first call. stickslip_rolling_solution_warnings also contains the
+        ! warnings about the contact, which is the same at all points.
+        function stickslip_rolling_solver_creep_warnings(solver, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_creep_warnings
 
         ! Starts a cycle at the current state of a history.
         function stickslip_cycle_new(history, cycle) result(answer) bind(c)
@@ -3033,46 +3073,6 @@ module stickslip_bindings
             type(stickslip_rolling_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_stiffness_observed
-
-        ! Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
-        ! so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
-        ! point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
-        ! points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
-        function stickslip_rolling_solver_creep_forces(solver, points, count, forces) result(answer) bind(c)
-            import
-            type(stickslip_rolling_solver), value :: solver
-            type(stickslip_creep_point), intent(in), optional :: points(*)
-            integer(c_size_t), value :: count
-            type(stickslip_creep_force), intent(inout), optional :: forces(*)
-            integer(c_int32_t) :: answer
-        end function stickslip_rolling_solver_creep_forces
-
-        ! Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
-        ! observer is called before every product with an operator and may end the call. The call then returns
-        ! STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
-        function stickslip_rolling_solver_creep_forces_observed(solver, points, count, observer, &
-            forces) result(answer) bind(c)
-            import
-            type(stickslip_rolling_solver), value :: solver
-            type(stickslip_creep_point), intent(in), optional :: points(*)
-            integer(c_size_t), value :: count
-            type(stickslip_observer), intent(in), optional :: observer
-            type(stickslip_creep_force), intent(inout), optional :: forces(*)
-            integer(c_int32_t) :: answer
-        end function stickslip_rolling_solver_creep_forces_observed
-
-        ! Writes the warnings about the loads of the points that the last call of stickslip_rolling_solver_creep_forces has solved,
-        ! like stickslip_normal_solution_warnings. They include a creepage that may be in per cent. Each kind is listed once, for the
-        ! first point that has it. The list is empty before the first call. stickslip_rolling_solution_warnings also contains the
-        ! warnings about the contact, which is the same at all points.
-        function stickslip_rolling_solver_creep_warnings(solver, buffer, capacity, count) result(answer) bind(c)
-            import
-            type(stickslip_rolling_solver), value :: solver
-            type(stickslip_warning), intent(inout), optional :: buffer(*)
-            integer(c_size_t), value :: capacity
-            integer(c_size_t), intent(out), optional :: count
-            integer(c_int32_t) :: answer
-        end function stickslip_rolling_solver_creep_warnings
 
         ! Creates an empty solution of the right size for a solver.
         function stickslip_rolling_solution_new(solver, solution) result(answer) bind(c)

@@ -1275,6 +1275,24 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_coupled_rolling_report;
 
+// Creepages and spin: a point of a creep curve or a creep surface.
+typedef struct {
+    // Creepages along x and y (dimensionless).
+    double creepage[2];
+    // Spin (one over a length).
+    double spin;
+} stickslip_creep_point;
+
+// Loads due to creepages and spin.
+typedef struct {
+    // Tangential force on body 1 along x and y.
+    double force[2];
+    // Moment on body 1 about the origin of the grid (a force times a length).
+    double moment;
+    // Ratio of stick cells to contact cells.
+    double stick_ratio;
+} stickslip_creep_force;
+
 // Scalar results of a cycle.
 typedef struct {
     // Number of steps since the start of the cycle.
@@ -1476,24 +1494,6 @@ typedef struct {
     // Number of cells.
     size_t count;
 } stickslip_tractions;
-
-// Creepages and spin: a point of a creep curve or a creep surface.
-typedef struct {
-    // Creepages along x and y (dimensionless).
-    double creepage[2];
-    // Spin (one over a length).
-    double spin;
-} stickslip_creep_point;
-
-// Loads due to creepages and spin.
-typedef struct {
-    // Tangential force on body 1 along x and y.
-    double force[2];
-    // Moment on body 1 about the origin of the grid (a force times a length).
-    double moment;
-    // Ratio of stick cells to contact cells.
-    double stick_ratio;
-} stickslip_creep_force;
 
 // Random surface with a self-affine power spectrum; stickslip_self_affine_default() returns the defaults. Wavelengths are
 // lengths. The spectrum is constant from the longest wavelength to the roll-off. From there to the cut-off it decreases
@@ -1925,6 +1925,33 @@ stickslip_status stickslip_coupled_rolling_solution_warnings(const stickslip_cou
                                                              stickslip_warning *buffer,
                                                              size_t capacity,
                                                              size_t *count);
+
+// Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
+// so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
+// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+// points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
+stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver *solver,
+                                                       const stickslip_creep_point *points,
+                                                       size_t count,
+                                                       stickslip_creep_force *forces);
+
+// Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
+// observer is called before every product with an operator and may end the call. The call then returns
+// STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
+stickslip_status stickslip_rolling_solver_creep_forces_observed(stickslip_rolling_solver *solver,
+                                                                const stickslip_creep_point *points,
+                                                                size_t count,
+                                                                const stickslip_observer *observer,
+                                                                stickslip_creep_force *forces);
+
+// Writes the warnings about the loads of the points that the last call of stickslip_rolling_solver_creep_forces has solved,
+// like stickslip_normal_solution_warnings. They include a creepage that may be in per cent. Each kind is listed once, for the
+// first point that has it. The list is empty before the first call. stickslip_rolling_solution_warnings also contains the
+// warnings about the contact, which is the same at all points.
+stickslip_status stickslip_rolling_solver_creep_warnings(const stickslip_rolling_solver *solver,
+                                                         stickslip_warning *buffer,
+                                                         size_t capacity,
+                                                         size_t *count);
 
 // Starts a cycle at the current state of a history.
 stickslip_status stickslip_cycle_new(const stickslip_history *history, stickslip_cycle **cycle);
@@ -2447,33 +2474,6 @@ stickslip_status stickslip_rolling_solver_stiffness(stickslip_rolling_solver *so
 stickslip_status stickslip_rolling_solver_stiffness_observed(stickslip_rolling_solver *solver,
                                                              const stickslip_observer *observer,
                                                              stickslip_rolling_stiffness *stiffness);
-
-// Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
-// so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
-// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
-// points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
-stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver *solver,
-                                                       const stickslip_creep_point *points,
-                                                       size_t count,
-                                                       stickslip_creep_force *forces);
-
-// Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
-// observer is called before every product with an operator and may end the call. The call then returns
-// STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
-stickslip_status stickslip_rolling_solver_creep_forces_observed(stickslip_rolling_solver *solver,
-                                                                const stickslip_creep_point *points,
-                                                                size_t count,
-                                                                const stickslip_observer *observer,
-                                                                stickslip_creep_force *forces);
-
-// Writes the warnings about the loads of the points that the last call of stickslip_rolling_solver_creep_forces has solved,
-// like stickslip_normal_solution_warnings. They include a creepage that may be in per cent. Each kind is listed once, for the
-// first point that has it. The list is empty before the first call. stickslip_rolling_solution_warnings also contains the
-// warnings about the contact, which is the same at all points.
-stickslip_status stickslip_rolling_solver_creep_warnings(const stickslip_rolling_solver *solver,
-                                                         stickslip_warning *buffer,
-                                                         size_t capacity,
-                                                         size_t *count);
 
 // Creates an empty solution of the right size for a solver.
 stickslip_status stickslip_rolling_solution_new(const stickslip_rolling_solver *solver,

@@ -13,6 +13,7 @@ pub mod bulk_strain;
 mod call;
 pub mod coupled;
 pub mod coupled_rolling;
+pub mod creep;
 pub mod cycle;
 pub mod edges;
 mod environment;

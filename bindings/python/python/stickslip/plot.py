@@ -23,7 +23,8 @@ import numpy as np
 
 from ._checks import kind, refuse_type, require, require_entries
 from ._enums import Zone
-from ._plot_arguments import check_axes, check_factors, factor
+from ._plot_arguments import check_factors, factor
+from ._plot_axes import add_colour_bar, colour_limits, draw_image, place_legend_above, prepare_axes, with_unit
 from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
 
@@ -43,28 +44,6 @@ _SHEARED = "a tangential, coupled or rolling solution, a state or a history"
 _SPOTS = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:brown", "tab:pink")
 
 _STRESSES = {"von_mises": "von Mises", "max_shear": "largest shear stress", "hydrostatic": "mean normal stress"}
-
-
-def _axes(axes: Axes | None) -> Axes:
-    check_axes(axes)
-    if axes is None:
-        try:
-            import matplotlib.pyplot as pyplot
-        except ImportError as error:
-            raise ImportError("stickslip.plot requires matplotlib: pip install 'stickslip[plot]'") from error
-        axes = pyplot.subplots()[1]
-    # For a subfigure, take the whole figure.
-    figure: Any = getattr(axes.figure, "figure", axes.figure)
-    if figure.get_layout_engine() is None:
-        from ._layout import SettledLayout
-
-        # Wider than the defaults, so that the label of a colour bar is not mistaken for the label of the next axes.
-        figure.set_layout_engine(SettledLayout(w_pad=0.1, h_pad=0.08))
-    return axes
-
-
-def _label(name: str, unit: str) -> str:
-    return f"{name} ({unit})" if name and unit else name or unit
 
 
 def _with_grid(grid: Any, values: Any) -> tuple[Grid, Any]:
@@ -149,40 +128,6 @@ def _profile_axis(grid: Grid) -> str | None:
     return "y" if grid.nx == 1 else None
 
 
-def _image(axes: Axes, grid: Grid, values: Any, scale: float, length_unit: str, **options: Any) -> Any:
-    """Draws the values of the cells of a grid as an image at their coordinates."""
-    left, right, bottom, top = (scale * edge for edge in grid.extent)
-    options = {"interpolation": "nearest", **options}
-    image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), **options)
-    axes.set_xlabel(_label("x", length_unit))
-    axes.set_ylabel(_label("y", length_unit))
-    return image
-
-
-def _limits(values: Any, options: dict[str, Any], from_zero: bool = False) -> dict[str, Any]:
-    """Returns the options of an image with default limits of its colours."""
-    shown = np.ma.masked_invalid(values).compressed()
-    if shown.size == 0 or {"norm", "vmin", "vmax"} & options.keys():
-        return options
-    low, high = float(shown.min()), float(shown.max())
-    if low < 0.0 < high:
-        most = max(-low, high)
-        return {"cmap": "RdBu_r", "vmin": -most, "vmax": most, **options}
-    return {"vmin": 0.0, **options} if from_zero and high > 0.0 else options
-
-
-def _bar(axes: Axes, image: Any, label: str, **options: Any) -> Any:
-    """Adds a colour bar next to an image, with the height of the image."""
-    place = axes.inset_axes((1.04, 0.0, 0.05, 1.0))
-    return axes.figure.colorbar(image, cax=place, label=label, **options)
-
-
-def _named_above(axes: Axes) -> Axes:
-    """Places the legend above the axes, where it covers no line."""
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
-    return axes
-
-
 def field(
     grid: Grid | Field,
     values: Any = None,
@@ -238,10 +183,10 @@ def field(
             grid, samples, axes, along=along, label=label, unit=unit, value_scale=value_scale, scale=scale,
             length_unit=length_unit, **options,
         )  # fmt: skip
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     samples = value_scale * samples
-    image = _image(axes, grid, samples, scale, length_unit, **_limits(samples, options))
-    _bar(axes, image, _label(label, unit))
+    image = draw_image(axes, grid, samples, scale, length_unit, **colour_limits(samples, options))
+    add_colour_bar(axes, image, with_unit(label, unit))
     return axes
 
 
@@ -294,13 +239,13 @@ def section(
     scale, value_scale = factor(scale, own, length_unit), factor(value_scale, own, unit)
     samples = value_scale * _samples(grid, values)
     direction, place = _place(grid, along, at)
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     if direction == 0:
         axes.plot(scale * grid.x, samples[place], **options)
     else:
         axes.plot(scale * grid.y, samples[:, place], **options)
-    axes.set_xlabel(_label(("x", "y")[direction], length_unit))
-    axes.set_ylabel(_label(label, unit))
+    axes.set_xlabel(with_unit(("x", "y")[direction], length_unit))
+    axes.set_ylabel(with_unit(label, unit))
     return axes
 
 
@@ -324,7 +269,7 @@ def pressure_map(
     scale = factor(scale, getattr(solution, "unit", None), length_unit)
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
-        options = _limits(value_scale * pressure, options, from_zero=True)
+        options = colour_limits(value_scale * pressure, options, from_zero=True)
         pressure = np.ma.masked_where(pressure == 0.0, pressure)
     return field(
         solution.grid,
@@ -356,12 +301,12 @@ def stick_map(
         axes = section(grid, solution.zones, axes, along=along, scale=scale, length_unit=length_unit, drawstyle="steps-mid")
         axes.set_yticks(list(Zone), names)
         return axes
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     from matplotlib.colors import ListedColormap
 
     colours = ListedColormap([_COLOURS[zone] for zone in Zone])
-    image = _image(axes, grid, solution.zones, scale, length_unit, cmap=colours, vmin=-0.5, vmax=2.5)
-    _bar(axes, image, "", ticks=list(Zone)).ax.set_yticklabels(names)
+    image = draw_image(axes, grid, solution.zones, scale, length_unit, cmap=colours, vmin=-0.5, vmax=2.5)
+    add_colour_bar(axes, image, "", ticks=list(Zone)).ax.set_yticklabels(names)
     return axes
 
 
@@ -407,9 +352,9 @@ def traction_map(
             axes = section(grid, values, axes, along=along, label="shear traction", **names, **options)
             axes.lines[-1].set_label(f"along {name}")
         assert axes is not None
-        return _named_above(axes) if len(loaded) > 1 else axes
+        return place_legend_above(axes) if len(loaded) > 1 else axes
     size = np.hypot(x, y)
-    options = _limits(value_scale * size, options, from_zero=True)
+    options = colour_limits(value_scale * size, options, from_zero=True)
     axes = field(grid, np.ma.masked_where(size == 0.0, size), axes, label="shear traction", **names, **options)
     rows, columns = (np.flatnonzero(size.any(axis=axis)) for axis in (1, 0))
     if rows.size == 0:
@@ -472,7 +417,7 @@ def spot_map(
     labels = spots.labels
     values = np.concatenate([[0.0], numbers])[labels]
     if _profile_axis(spots.grid) is None:
-        options = _limits(value_scale * values, options, from_zero=True)
+        options = colour_limits(value_scale * values, options, from_zero=True)
     return field(
         spots.grid, np.ma.masked_where(labels == 0, values), axes, label=f"{by.replace('_', ' ')} of the spot", unit=unit,
         value_scale=value_scale, scale=scale, length_unit=length_unit, **options,
@@ -486,7 +431,7 @@ def _numbered(spots: Any, axes: Axes | None, scale: float, length_unit: str, opt
     if along is not None:
         names: dict[str, Any] = {"scale": scale, "length_unit": length_unit}
         return section(grid, labels, axes, along=along, label="number of the spot", **names, **options)
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     from matplotlib.colors import ListedColormap
 
     centres = np.array([spot.centroid for spot in spots]).reshape(-1, 2)
@@ -498,7 +443,7 @@ def _numbered(spots: Any, axes: Axes | None, scale: float, length_unit: str, opt
         chosen[place] = int(np.argmax(nearest))
     shown = np.ma.masked_where(labels == 0, np.concatenate([[0], chosen])[labels])
     defaults = {"cmap": ListedColormap(_SPOTS), "vmin": -0.5, "vmax": len(_SPOTS) - 0.5}
-    _image(axes, grid, shown, scale, length_unit, **{**defaults, **options})
+    draw_image(axes, grid, shown, scale, length_unit, **{**defaults, **options})
     return axes
 
 
@@ -548,15 +493,15 @@ def stress_section(
     direction, place = _place(grid, along, at)
     lines = [_stress(plane, of)[place] if direction == 0 else _stress(plane, of)[:, place] for plane in planes]
     depths = scale * np.array([plane.depth for plane in planes])
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     values = value_scale * np.array(lines)
-    options = _limits(values, {"shading": "gouraud", **options}, from_zero=of in ("von_mises", "max_shear"))
+    options = colour_limits(values, {"shading": "gouraud", **options}, from_zero=of in ("von_mises", "max_shear"))
     image = axes.pcolormesh(scale * (grid.x if direction == 0 else grid.y), depths, values, **options)
     axes.set_aspect("equal")
     axes.set_ylim(depths[-1], depths[0])
-    axes.set_xlabel(_label(("x", "y")[direction], length_unit))
-    axes.set_ylabel(_label("depth", length_unit))
-    _bar(axes, image, _label(_STRESSES.get(of, f"stress {of}"), unit))
+    axes.set_xlabel(with_unit(("x", "y")[direction], length_unit))
+    axes.set_ylabel(with_unit("depth", length_unit))
+    add_colour_bar(axes, image, with_unit(_STRESSES.get(of, f"stress {of}"), unit))
     return axes
 
 
@@ -589,11 +534,11 @@ def hysteresis(
     check_factors(scale=scale, value_scale=value_scale)
     component = _component(axis)
     require("cycle", cycle, ("points",), "a Cycle, such as the attribute last of the result of a loop")
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     points = cycle.points
     axes.plot(scale * points.shift[component], value_scale * points.force[component], **options)
-    axes.set_xlabel(_label(f"shift along {axis}", length_unit))
-    axes.set_ylabel(_label(f"tangential force along {axis}", unit))
+    axes.set_xlabel(with_unit(f"shift along {axis}", length_unit))
+    axes.set_ylabel(with_unit(f"tangential force along {axis}", unit))
     return axes
 
 
@@ -615,7 +560,7 @@ def work_precision(
     named = {name: list(line) if isinstance(line, Iterable) else line for name, line in named.items()}
     for line in named.values():
         require_entries("reports", line, ("energy_error_bound", "time"), "a sequence of Report, or sequences by name")
-    axes = _axes(axes)
+    axes = prepare_axes(axes)
     for name, line in named.items():
         axes.loglog(
             [report.energy_error_bound for report in line],
@@ -623,14 +568,14 @@ def work_precision(
             **{"marker": "o", "label": name or None, **options},
         )
     if any(named):
-        _named_above(axes)
+        place_legend_above(axes)
     axes.invert_xaxis()
     # Tick labels between decades would overlap.
     from matplotlib.ticker import NullFormatter
 
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("certified error in the energy norm")
-    axes.set_ylabel(_label("time", unit))
+    axes.set_ylabel(with_unit("time", unit))
     return axes
 
 
