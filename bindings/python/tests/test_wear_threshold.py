@@ -179,6 +179,22 @@ def test_law_of_user_receives_energy_of_cycles_jumped_over():
         ss.wear.run(history(), loop(), RunningIn, 10)
 
 
+class Forgetful:
+    """Threshold law of a user that ignores the energy dissipated before."""
+
+    def depth_of_jump(self, history, cycle, dissipation, cycles):
+        return RunningIn.total(cycles * cycle.dissipation)
+
+
+@pytest.mark.parametrize(("law", "is_forgetful"), [(Forgetful(), True), (RunningIn(), False), (THRESHOLD_LAW, False)])
+def test_law_that_ignores_earlier_energy_gives_warning(law, is_forgetful):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        ss.wear.run(history(), loop(), law, 2000)
+    remedy = "take the earlier energy from the argument dissipation of depth_of_jump"
+    assert any(str(caught_warning.message).endswith(remedy) for caught_warning in caught) == is_forgetful
+
+
 def test_depth_that_decreases_with_cycles_is_rejected():
     class Healing:
         def depth_of_jump(self, history, cycle, dissipation, cycles):

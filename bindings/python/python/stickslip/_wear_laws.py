@@ -11,8 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import CellEnergies, read_only
+from ._remarks import warn
 from ._stickslip import Cycle, CycleJump, Field, Grid, History, archard, energy, max_stable_cycles, threshold_energy
 from .errors import NoWholeCycle, Shape
+
+# Largest difference between the depth of many cycles and that of both halves of them without a warning, over the depth.
+LARGEST_DIFFERENCE = 0.01
 
 
 @dataclass(frozen=True)
@@ -55,7 +59,8 @@ class JumpLaw(Protocol):
         """Returns the depth that the given number of cycles like ``cycle`` removes in each cell.
 
         The depth must not decrease with the number of cycles. :func:`run` calls the method with several numbers to find the
-        longest jump.
+        longest jump. It issues a :class:`~stickslip.errors.ContactWarning` if both halves of the remaining cycles remove another depth
+        than all of them together. A law that ignores ``dissipation`` has this warning if it is not proportional to the cycles.
 
         Parameters
         ----------
@@ -145,6 +150,7 @@ class JumpWear:
 
     def __init__(self, law: JumpLaw, history: History) -> None:
         self.law = law
+        self.is_first = True
         # The depth per pressure of all cycles of a jump must not exceed the smallest compliance, as in `CycleJump`.
         self.compliance = 0.5 * max_stable_cycles(history.bodies, 1.0, np.ones(history.grid.shape))
 
@@ -153,8 +159,8 @@ class JumpWear:
     ) -> tuple[int, NDArray[Any]]:
         """Returns the number of cycles of a jump and the depth that they remove."""
 
-        def removed(cycles: int) -> NDArray[Any]:
-            return _checked(self.law.depth_of_jump(history, cycle, read_only(dissipation), cycles), history)
+        def removed(cycles: int, before: NDArray[Any] = dissipation) -> NDArray[Any]:
+            return _checked(self.law.depth_of_jump(history, cycle, read_only(before), cycles), history)
 
         # Rejects a cycle that is not closed, and a depth that is negative or not finite. No wear sets no other limit.
         first = removed(1)
@@ -190,7 +196,26 @@ class JumpWear:
             deepest = limits.max_depth
             most = 1 + _last(lambda cycles: bool((depth + removed(cycles)).max() < deepest), 0, most)
         cycles = _last(lambda cycles: allowed(cycles) >= cycles, 1, most + 1)
+        if self.is_first and limits.cycles > 1:
+            half = limits.cycles // 2
+            after_half = removed(limits.cycles - half, dissipation + half * np.asarray(cycle.dissipation))
+            warn(_remarks_on_halves(removed(limits.cycles), removed(half) + after_half, limits.cycles))
+            self.is_first = False
         return cycles, removed(cycles)
+
+
+def _remarks_on_halves(whole: NDArray[Any], halves: NDArray[Any], cycles: int) -> list[tuple[str, str]]:
+    """Returns the remark that a law removes another depth in all remaining cycles than in both halves of them."""
+    most, difference = whole.max(), np.abs(whole - halves).max()
+    if difference <= LARGEST_DIFFERENCE * most:
+        return []
+    return [
+        (
+            "inconsistent_law",
+            f"the wear law removes up to {most:.3g} in {cycles} equal cycles, but a depth that differs by {difference:.3g} in both "
+            "halves of them: take the earlier energy from the argument dissipation of depth_of_jump",
+        )
+    ]
 
 
 def _last(is_valid: Callable[[int], bool], first: int, end: int) -> int:
