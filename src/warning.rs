@@ -10,6 +10,8 @@ pub(crate) use limits::{LARGEST_SEAM, LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
 
 /// Warning that a converged solution may be misleading.
+///
+/// The longest side of a grid with a single row or column of cells is the side along the row or column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -126,19 +128,14 @@ pub enum Warning {
     },
     /// The shift of a step exceeds the longest side of the grid, or the change of a
     /// [relative displacement](crate::tangential::RelativeDisplacement) in a contact cell does. A common cause is an inconsistent
-    /// unit. A [`Cycle`](crate::history::Cycle) has the warning if the range of the shift over its steps exceeds this side. Steps
-    /// that roll, and cycles with such steps, do not have this warning.
+    /// unit.
+    ///
+    /// A [`Cycle`](crate::history::Cycle) has the warning if the range of the shift over consecutive steps exceeds this side. A history
+    /// has it in the first step beyond this range. Steps that roll and steps without contact do not have the warning, and end the
+    /// range. A large range is valid if the counterbody is flat, because the shift does not move the gap.
     ShiftBeyondGrid {
         /// The largest of shift, relative displacement and range of the shift, divided by the longest side of the grid, in tenths.
         tenths: usize,
-    },
-    /// The stretch of a [spring](crate::TangentialControl::Spring) exceeds a thousand times the longest side of the grid. Common
-    /// causes are exchanged values of position and stiffness and an inconsistent unit of either. The force of the exchanged values is
-    /// almost equal, because a soft spring with a distant end prescribes their product. Springs of steps that roll do not have this
-    /// warning.
-    SpringBeyondGrid {
-        /// The stretch divided by the longest side of the grid.
-        sides: usize,
     },
     /// A component of a [bulk strain](crate::tangential::RelativeDisplacement::bulk_strain) times its amount exceeds 0.02 in magnitude,
     /// whereas the model assumes small strains. Common causes are a strain in per cent and an amount in an inconsistent unit.
@@ -147,8 +144,9 @@ pub enum Warning {
         /// The largest magnitude of a component at the end of the step, in thousandths.
         per_mille: usize,
     },
-    /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees. A
-    /// [`Cycle`](crate::history::Cycle) without rolling has the warning if the range of the twist over its steps exceeds 0.2 rad.
+    /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees. The range
+    /// of the twist over consecutive steps counts like that of a shift ([`ShiftBeyondGrid`](Self::ShiftBeyondGrid)). A large range is
+    /// valid for bodies of revolution.
     LargeTwist {
         /// The magnitude of the twist of the step, or the range of the twist, in tenths of a radian.
         tenths: usize,
@@ -175,13 +173,13 @@ pub enum Warning {
         /// The contact modulus divided by the largest pressure.
         parts: usize,
     },
-    /// The hardness exceeds the contact modulus ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)), and no cell
-    /// has reached it. This applies to the hardness of the softer [material](crate::Material::hardness) and to a limit of the pressure
-    /// ([`Hardness`](crate::normal::Hardness), its smallest positive value). The hardness of a metal is about 1/100 of this modulus,
-    /// so that the hardness has no effect on any contact of small strains. A common cause is an inconsistent unit. Coated bodies and
-    /// user kernels do not have this warning.
+    /// A hardness exceeds the plane-strain modulus $`E/(1 - \nu^2)`$, and no cell has reached it. The hardness of a
+    /// [material](crate::Material::hardness) is compared with the modulus of its body. A limit of the pressure
+    /// ([`Hardness`](crate::normal::Hardness), its smallest value in the contact) is compared with the stiffer deformable body. The
+    /// hardness of a metal is about 1/100 of this modulus, so that such a hardness has no effect on any contact of small strains. A
+    /// common cause is an inconsistent unit. Coated bodies and user kernels do not have this warning.
     HardnessBeyondModulus {
-        /// The hardness divided by the contact modulus, in thousandths.
+        /// The hardness divided by the modulus, in thousandths.
         per_mille: usize,
     },
     /// The [largest shear stress](crate::Friction::max_shear_stress) lowers the friction capacity to less than 1 % of the capacity
@@ -192,12 +190,11 @@ pub enum Warning {
         /// The friction capacity without the largest shear stress divided by the capacity.
         parts: usize,
     },
-    /// The [largest shear stress](crate::Friction::max_shear_stress) exceeds the contact modulus
-    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)), and caps the friction of no cell. The shear
-    /// strength of a metal is below 1/100 of this modulus. A common cause is an inconsistent unit. Coated bodies and user
-    /// kernels do not have this warning.
+    /// The [largest shear stress](crate::Friction::max_shear_stress) exceeds the plane-strain modulus $`E/(1 - \nu^2)`$ of the stiffer
+    /// deformable body. It caps the friction of no cell, or the coefficient of friction exceeds 5. The shear strength of a metal is
+    /// below 1/100 of this modulus. A common cause is an inconsistent unit. Coated bodies and user kernels do not have this warning.
     ShearStressBeyondModulus {
-        /// The largest shear stress divided by the contact modulus, in thousandths.
+        /// The largest shear stress divided by the modulus, in thousandths.
         per_mille: usize,
     },
     /// The largest pressure of a [prescribed field](crate::PressureSource::Prescribed) is less than 1e-7 of the contact modulus
@@ -226,10 +223,12 @@ pub enum Warning {
         /// The largest change of the gap in a contact cell divided by the largest displacement of both contacts, in tenths.
         tenths: usize,
     },
-    /// The gap before loading differs from zero by less than 1e-7 of the approach in a fifth of the contact cells or more, with both
-    /// signs. The [gap under load](crate::NormalSolution::gap) of an earlier solution has such values where the surfaces touched, if
-    /// its tolerance was 1e-6 or less. The bodies would be deformed twice. A flat surface with round-off also has this warning, which
-    /// can then be ignored.
+    /// The gap before loading resembles the [gap under load](crate::NormalSolution::gap) of an earlier solution. The bodies would be
+    /// deformed twice. At least a fifth of the contact cells have a gap below 1e-5 of the displacement but above round-off. The gap of
+    /// most of their neighbours is more than 100 times larger, and less than half of the displacement. On grids that are periodic along
+    /// both axes, a gap with only such cells has the warning too.
+    ///
+    /// The gap under load after wear, a shift of its datum, or a solve with a tolerance above about 1e-5 is not recognised.
     ClosedGap {
         /// Number of these cells.
         cells: usize,

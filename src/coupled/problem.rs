@@ -120,7 +120,7 @@ impl CoupledProblem {
         }
         self.tangential
             .demand()
-            .check(Axis::BOTH, self.bodies.boundary())?;
+            .check(Axis::BOTH, &self.bodies, [0.0; 2])?;
         if let Some(relative) = &self.relative {
             relative.check(&self.bodies, Axis::BOTH)?;
         }

@@ -63,7 +63,6 @@ impl CoupledSolution {
         let input = (None, &of.friction, of.relative.as_ref());
         self.tangential
             .fill(bodies, input, &increment.answer(), increment.report());
-        self.tangential.set_load(&of.tangential.demand());
         let pair = bodies.pair();
         self.tangential
             .set_coupled(pair.is_coupled().then(|| pair.coupling_strength()));

@@ -54,7 +54,7 @@ impl CoupledSolver {
             ..
         } = &self.problem;
         bodies.collective_result_checked(
-            tangential.demand().check(Axis::BOTH, bodies.boundary()),
+            tangential.demand().check(Axis::BOTH, bodies, [0.0; 2]),
             &[("normal load", &normal), ("tangential load", &tangential)],
         )?;
         normal.check(bodies, gap, hardness.as_ref())?;

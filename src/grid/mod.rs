@@ -203,6 +203,16 @@ impl Grid {
         (self.dx * self.nx as f64).max(self.dy * self.ny as f64)
     }
 
+    /// Returns the side with which lengths are compared: the longest side, or the side along a single row or column of cells. The
+    /// other side of such a grid is often an arbitrary period.
+    pub(crate) fn reference_side(&self) -> f64 {
+        match [self.nx, self.ny] {
+            [_, 1] => self.dx * self.nx as f64,
+            [1, _] => self.dy * self.ny as f64,
+            _ => self.longest_side(),
+        }
+    }
+
     /// Checks that a quantity on the grid `found` is on this grid.
     pub(crate) fn check_equal(&self, quantity: &'static str, found: Self) -> Result<()> {
         if self.agrees_with(found) {

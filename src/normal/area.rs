@@ -102,7 +102,7 @@ impl NormalSolution {
     )]
     fn coating_warnings(&self) -> [Option<Warning>; 2] {
         let (grid, bodies) = (self.grid(), self.pair.bodies());
-        let (longest, cell) = (grid.whole().longest_side(), grid.dx().min(grid.dy()));
+        let (longest, cell) = (grid.whole().reference_side(), grid.dx().min(grid.dy()));
         let layers = || {
             bodies.iter().flat_map(|body| {
                 let base = body.shear_modulus();
@@ -151,10 +151,10 @@ impl NormalSolution {
         (parts > LOWEST_HARDNESS && is_yielded()).then_some(parts)
     }
 
-    /// Returns the hardness divided by the contact modulus in thousandths, if the hardness exceeds this modulus and no cell has
-    /// reached it. The larger one of two such values counts: the hardness of the softer material and the limit of the pressure.
+    /// Returns the hardness divided by the plane-strain modulus in thousandths, if the hardness exceeds this modulus and no cell has
+    /// reached it. The larger one of two such values counts: the hardness of a material and the limit of the pressure.
     pub(crate) fn high_hardness(&self) -> Option<usize> {
-        let of_material = self.pair.limit_over_modulus(self.pair.hardness());
+        let of_material = self.pair.hardness_over_modulus();
         let of_material = of_material
             .and_then(Warning::limit_beyond)
             .filter(|_| self.overloaded_cells() == 0);

@@ -171,13 +171,15 @@ impl Hardness {
         reduce::sum(&bodies.grid_layout(), |i| usize::from(is_reached(i)))
     }
 
-    /// Returns the smallest positive limit of the local cells, or infinity if all limits are zero.
-    pub(crate) fn least_limit(&self) -> f64 {
+    /// Returns the smallest limit of the cells in contact that these cells contain, or infinity without contact.
+    pub(crate) fn least_limit(&self, pressure: &[f64]) -> f64 {
         match self.limits() {
             PerCell::Uniform(limit) => limit,
             PerCell::Cells(limits) => {
-                let positive = limits.iter().copied().filter(|limit| *limit > 0.0);
-                positive.fold(f64::INFINITY, f64::min)
+                let cells = limits.iter().zip(pressure);
+                let limits = cells.filter(|(_, pressure)| **pressure > 0.0);
+                let limits = limits.map(|(limit, _)| *limit);
+                limits.fold(f64::INFINITY, f64::min)
             }
         }
     }

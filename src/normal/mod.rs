@@ -33,6 +33,7 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]
 
 mod area;
+mod closed_gap;
 mod gap_change;
 mod hardness;
 mod load;

@@ -3,6 +3,7 @@
 use crate::cgm::reduce::{self, Reduction};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
+use crate::normal::closed_gap::{CLOSED, closed_cells};
 use crate::normal::seam::mean_jumps;
 use crate::warning::{LARGEST_SEAM, Warning};
 
@@ -26,7 +27,7 @@ pub(crate) struct Scale {
     /// neighbouring columns or rows.
     #[cfg_attr(feature = "serde", serde(default))]
     seam_times: [usize; 2],
-    /// Number of contact cells whose gap is almost but not exactly zero, if they are a large part of the contact.
+    /// Number of contact cells whose gap is almost zero, if the gap resembles a gap under load.
     #[cfg_attr(feature = "serde", serde(default))]
     closed_cells: usize,
     /// Change of the gap before this solve like wear, divided by the largest displacement before and after it, in tenths.
@@ -40,14 +41,6 @@ const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;
 
-/// Magnitude of the gap of a cell that counts as closed, in approaches. The gap under load of a solve with the default tolerance is
-/// smaller in contact cells.
-const CLOSED: f64 = 1e-7;
-/// Least part of the contact cells that are closed in a gap under load, and least part of either sign in them. Gaps of smooth
-/// surfaces that are flat in their middle have one sign.
-const CLOSED_PART: f64 = 0.2;
-const SIGNED_PART: f64 = 0.02;
-
 /// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2.
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
@@ -56,28 +49,23 @@ type Slopes = [f64; 6];
 /// neighbour, and sum of the squared slopes of these pairs.
 type Surroundings = [f64; 3];
 
-/// Number of contact cells, and numbers of closed cells with a negative and with a positive gap.
-type ClosedCells = [f64; 3];
-
 impl Scale {
     /// Measures the contact of a pressure over a gap before loading. Pairs of rows on different ranks do not count.
     pub(super) fn of(bodies: &HalfSpace, gap: &[f64], pressure: &[f64], approach: f64) -> Self {
         let grid = bodies.grid();
         let ([nx, ny], sides) = (grid.size(), [grid.dx(), grid.dy()]);
-        let largest_closed = CLOSED * approach;
-        let (slopes, outer, [least, most], closed) = reduce::fold(
+        let possibly_closed = CLOSED * grid.whole().longest_side();
+        let (slopes, outer, [least, most], cells) = reduce::fold(
             &bodies.grid_layout(),
             |cells| {
                 let (mut slopes, mut outer) =
                     ([Slopes::default(); 2], [Surroundings::default(); 2]);
                 let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-                let mut closed = ClosedCells::default();
+                let mut counts = [0, 0];
                 for cell in cells.filter(|cell| pressure[*cell] > 0.0) {
                     (least, most) = (least.min(gap[cell]), most.max(pressure[cell]));
-                    closed[0] += 1.0;
-                    if gap[cell] != 0.0 && gap[cell].abs() < largest_closed {
-                        closed[if gap[cell] < 0.0 { 1 } else { 2 }] += 1.0;
-                    }
+                    counts[0] += 1;
+                    counts[1] += usize::from(gap[cell].abs() < possibly_closed);
                     let (column, row) = (cell % nx, cell / nx);
                     let next = [
                         (column + 1 < nx).then_some(cell + 1),
@@ -104,11 +92,11 @@ impl Scale {
                         slopes[axis] = slopes[axis].plus([1.0, x, x * x, s, x * s, s * s]);
                     }
                 }
-                (slopes, outer, [least, most], closed)
+                (slopes, outer, [least, most], counts)
             },
-            |(a, outer, [least, most], closed), (b, also, [lower, higher], closed_too)| {
+            |(a, outer, [least, most], cells), (b, also, [lower, higher], more)| {
                 let range = [least.min(lower), most.max(higher)];
-                (a.plus(b), outer.plus(also), range, closed.plus(closed_too))
+                (a.plus(b), outer.plus(also), range, cells.plus(more))
             },
         );
         let grid = grid.whole();
@@ -122,13 +110,13 @@ impl Scale {
             slopes.map(|[count, .., squares]| mean(count, squares))
         };
         Self {
-            approach_tenths: whole(10.0 * (approach - least) / grid.longest_side()),
+            approach_tenths: whole(10.0 * (approach - least) / grid.reference_side()),
             radius_per_mille: whole(1e3 * radius[0].max(radius[1])),
             slope_per_mille: whole(1e3 * (squared[0] + squared[1]).sqrt()),
             pressure_per_mille: whole(1e3 * most / bodies.pair().contact_modulus()),
             modulus_parts: whole(bodies.pair().contact_modulus() / most),
             seam_times: mean_jumps(bodies, gap, pressure).map(whole),
-            closed_cells: closed_part(closed),
+            closed_cells: closed_cells(bodies, (gap, pressure), most, cells),
             gap_change_tenths: None,
         }
     }
@@ -210,17 +198,6 @@ fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
     let is_line = grid.size().contains(&1);
     let reach = if is_line { 3.0_f64.sqrt() } else { 2.0 };
     reach * correlation * spread
-}
-
-/// Returns the number of closed cells, or zero if they are a small part of the contact or almost all have one sign.
-fn closed_part([contact, negative, positive]: ClosedCells) -> usize {
-    let cells = negative + positive;
-    let is_large = cells > 0.0 && cells >= CLOSED_PART * contact;
-    if is_large && negative.min(positive) >= SIGNED_PART * cells {
-        whole(cells)
-    } else {
-        0
-    }
 }
 
 /// Returns the nearest integer, or zero for a negative number. Also returns zero for a number that is not finite, which

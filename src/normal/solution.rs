@@ -44,8 +44,8 @@ record! {
             /// Approach, contact radius and slope, stored for warnings.
             #[cfg_attr(feature = "serde", serde(default))]
             scale: Scale,
-            /// Limit of the pressure divided by the contact modulus in thousandths, if the limit exceeds this modulus and no cell
-            /// has reached it.
+            /// Limit of the pressure divided by the plane-strain modulus in thousandths, if the limit exceeds this modulus and no
+            /// cell has reached it.
             #[cfg_attr(feature = "serde", serde(default))]
             pub(super) hardness_per_mille: Option<usize>,
             report: Report,
@@ -182,7 +182,7 @@ impl NormalSolution {
         Ok(())
     }
 
-    /// Sets the number of cells whose pressure is at the hardness, and the smallest positive hardness of a cell.
+    /// Sets the number of cells whose pressure is at the hardness, and the smallest hardness of a contact cell.
     pub(crate) fn set_yielded_cells(&mut self, cells: usize, least_hardness: f64) {
         self.yielded_cells = cells;
         let ratio = self.pair.limit_over_modulus(least_hardness);
@@ -193,7 +193,9 @@ impl NormalSolution {
     pub(crate) fn compare_with(&mut self, bodies: &HalfSpace, hardness: Option<&Hardness>) {
         let pressure = self.pressure.as_slice();
         let cells = hardness.map_or(0, |of| of.reached_cells(bodies, pressure));
-        let least = hardness.map_or(f64::INFINITY, |of| bodies.least_of(of.least_limit()));
+        let least = hardness.map_or(f64::INFINITY, |of| {
+            bodies.least_of(of.least_limit(pressure))
+        });
         self.set_yielded_cells(cells, least);
     }
 

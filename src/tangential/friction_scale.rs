@@ -12,8 +12,10 @@ pub(crate) struct FrictionScale {
     coefficient_tenths: Option<usize>,
     /// Friction capacity without the cap divided by the capacity, if the cap is low.
     cap_parts: Option<usize>,
-    /// Cap divided by the contact modulus in thousandths, if the cap exceeds this modulus and has no effect.
+    /// Cap divided by the plane-strain modulus in thousandths, if the cap exceeds this modulus.
     cap_per_mille: Option<usize>,
+    /// Whether the cap has lowered the limit of a cell.
+    has_effect: bool,
 }
 
 impl FrictionScale {
@@ -25,12 +27,13 @@ impl FrictionScale {
         capacities: Option<[f64; 2]>,
     ) -> Self {
         let [without, capacity] = capacities.unwrap_or([0.0; 2]);
-        let cap = friction.cap().filter(|_| without <= capacity);
-        let over_modulus = cap.and_then(|cap| bodies.pair().limit_over_modulus(cap));
+        let cap = friction.cap().filter(|_| without > 0.0);
+        let of_cap = cap.and_then(|cap| bodies.pair().limit_over_modulus(cap));
         Self {
             coefficient_tenths: Warning::friction_beyond(friction.largest_coefficient(bodies)),
             cap_parts: Warning::cap_below(without / capacity),
-            cap_per_mille: over_modulus.and_then(Warning::limit_beyond),
+            cap_per_mille: of_cap.and_then(Warning::limit_beyond),
+            has_effect: without > capacity,
         }
     }
 
@@ -46,18 +49,21 @@ impl FrictionScale {
             coefficient_tenths: self.coefficient_tenths.max(other.coefficient_tenths),
             cap_parts: self.cap_parts.max(other.cap_parts),
             cap_per_mille: self.cap_per_mille.max(other.cap_per_mille),
+            has_effect: self.has_effect || other.has_effect,
         }
     }
 
-    /// Returns the warning about a large coefficient, or about a low or a high cap.
-    pub(crate) fn warning(self) -> Option<Warning> {
+    /// Returns the warnings about a large coefficient or a low cap, and about a high cap. A large coefficient with a cap models a
+    /// constant limit, so that it does not hide a high cap.
+    pub(crate) fn warnings(self) -> [Option<Warning>; 2] {
         let large = self.coefficient_tenths;
         let large = large.map(|tenths| Warning::LargeFriction { tenths });
         let low = self
             .cap_parts
             .map(|parts| Warning::LowShearStress { parts });
-        let high = self.cap_per_mille;
+        let is_ineffective = !self.has_effect || large.is_some();
+        let high = self.cap_per_mille.filter(|_| is_ineffective);
         let high = high.map(|per_mille| Warning::ShearStressBeyondModulus { per_mille });
-        large.or(low).or(high)
+        [large.or(low), high]
     }
 }

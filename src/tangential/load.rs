@@ -4,9 +4,12 @@ use crate::cgm::Total;
 use crate::contact::LoadIncrement;
 use crate::error::{Error, Result, finite, positive};
 use crate::grid::Grid;
-use crate::grid::boundary::Boundary;
+use crate::half_space::HalfSpace;
 use crate::tangential::{Axis, RigidMotion, TangentialModel};
-use crate::warning::Warning;
+
+/// Largest stretch of a spring, in sides of the grid. The force of a softer spring is lost in the round-off of the stretch, and
+/// exchanged values of position and stiffness exceed this limit.
+const LONGEST_SPRING: f64 = 1e6;
 
 /// Prescribed tangential load along one axis.
 ///
@@ -33,7 +36,8 @@ pub enum TangentialControl {
     /// displacement of the bodies or to a reference stretch, whichever is larger. The reference stretch is the stretch
     /// of the stiffest spring if all tractions had the same direction.
     Spring {
-        /// Position X of the far end of the spring (a length, either sign) since the unloaded state.
+        /// Position X of the far end of the spring (a length, either sign) since the unloaded state. Its distance from the shift
+        /// must not exceed a million sides of the grid. Exchanged values of position and stiffness usually exceed this limit.
         position: f64,
         /// Stiffness k > 0 (a force over a length).
         stiffness: f64,
@@ -204,20 +208,28 @@ impl TangentialTarget {
         })
     }
 
-    /// Returns the largest stretch of a spring at this shift over the longest side of the grid, or `None` if it is small.
-    pub(crate) fn spring_sides(&self, grid: Grid, shift: [f64; 2]) -> Option<usize> {
-        let stretches = self.controls.iter().zip(shift);
-        let sides = stretches.map(|(control, shift)| match control {
-            TangentialControl::Spring { position, .. } => {
-                Warning::spring_beyond(grid, position - shift)
+    /// Returns an error if a spring is stretched by more than [`LONGEST_SPRING`] at the present shift.
+    fn check_springs(&self, grid: Grid, shift: [f64; 2]) -> Result<()> {
+        for (control, shift) in self.controls.iter().zip(shift) {
+            let TangentialControl::Spring { position, .. } = control else {
+                continue;
+            };
+            let sides = (position - shift) / grid.whole().reference_side();
+            if sides.abs() > LONGEST_SPRING {
+                return Err(Error::UnsupportedByModel {
+                    model: "a spring",
+                    quantity: "a stretch above a million sides of the grid",
+                    value: sides,
+                    remedy: "check that position and stiffness are not exchanged, and check their units, or prescribe the force",
+                });
             }
-            _ => None,
-        });
-        sides.max().flatten()
+        }
+        Ok(())
     }
 
-    /// Returns an error if tractions along these axes cannot carry the load. Pressure and friction are checked later.
-    pub(crate) fn check(&self, axes: &[Axis], boundary: Boundary) -> Result<()> {
+    /// Returns an error if tractions along these axes cannot carry the load from a state with this shift. Pressure and friction are
+    /// checked later.
+    pub(crate) fn check(&self, axes: &[Axis], bodies: &HalfSpace, shift: [f64; 2]) -> Result<()> {
         for &axis in Axis::BOTH {
             let (quantity, value) = self.control(axis).checked(axis)?;
             if value != 0.0 && !axes.contains(&axis) {
@@ -236,8 +248,9 @@ impl TangentialTarget {
                 });
             }
         }
+        self.check_springs(bodies.grid(), shift)?;
         let (quantity, value) = ("twist", finite("twist", self.twist)?);
-        let remedy = match (axes.len(), boundary.may_turn()) {
+        let remedy = match (axes.len(), bodies.boundary().may_turn()) {
             (_, false) => "a periodic grid does not allow rotation in any model",
             (1, true) => TangentialModel::VECTOR_REMEDY,
             (_, true) => return Ok(()),

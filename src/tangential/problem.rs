@@ -231,7 +231,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         let grid = self.bodies.grid();
         self.friction.check(grid)?;
         let axes = self.load.axes(self.model)?;
-        self.load.demand().check(axes, self.bodies.boundary())?;
+        self.load.demand().check(axes, self.bodies, [0.0; 2])?;
         self.settings.check()?;
         self.model.check(&self.settings)?;
         check_coupling(self.bodies, self.coupling)?;

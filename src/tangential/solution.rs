@@ -20,8 +20,7 @@ use crate::support::debug::shown;
 use crate::tangential::over_ranks::{ShearSums, TractionSums};
 use crate::tangential::rigid_motion::centre;
 use crate::tangential::{
-    Axis, Friction, FrictionScale, RelativeDisplacement, StepSolution, TangentialTarget, Zone,
-    displacement,
+    Axis, Friction, FrictionScale, RelativeDisplacement, StepSolution, Zone, displacement,
 };
 use crate::warning::{Resolution, Warning};
 
@@ -54,9 +53,6 @@ record! {
             /// Coefficient and cap of the friction, stored for warnings.
             #[cfg_attr(feature = "serde", serde(default))]
             friction_scale: FrictionScale,
-            /// Largest stretch of a spring that is long, in longest sides of the grid.
-            #[cfg_attr(feature = "serde", serde(default))]
-            spring_sides: Option<usize>,
             /// Warning about a prescribed pressure far below or above the contact modulus.
             #[cfg_attr(feature = "serde", serde(default))]
             pressure_warning: Option<Warning>,
@@ -114,7 +110,6 @@ impl TangentialSolution {
             is_pressed_at_once: false,
             hides_slip: false,
             friction_scale: FrictionScale::default(),
-            spring_sides: None,
             pressure_warning: None,
             coupling_per_cent: None,
             displacement_tenths: None,
@@ -166,11 +161,6 @@ impl TangentialSolution {
     /// Sets whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
         self.is_pressed_at_once = is_at_once;
-    }
-
-    /// Records a spring of the load that is long at the present shift.
-    pub(crate) fn set_load(&mut self, load: &TangentialTarget) {
-        self.spring_sides = load.spring_sides(self.grid(), self.shift);
     }
 
     /// Sets Dundurs' beta over the mean coefficient of friction in per cent, if the model neglects large tractions.
@@ -417,21 +407,18 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a long spring, a large bulk
-    /// strain, a large twist, a large coefficient of friction, a low or high cap of the friction, neglected tractions and a low or
+    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large bulk strain, a large twist, a large coefficient of friction, a low or high cap of the friction, neglected tractions and a low or
     /// high prescribed pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
-        let sides = self.spring_sides;
-        let spring = sides.map(|sides| Warning::SpringBeyondGrid { sides });
         let strain = Warning::of_strain(self.strain_per_mille);
-        let of_shift = shift.into_iter().chain(spring).chain(strain).chain(twist);
+        let of_shift = shift.into_iter().chain(strain).chain(twist);
         let coupling = Warning::of_coupling(self.coupling_per_cent);
         of_shift
-            .chain(self.friction_scale.warning())
+            .chain(self.friction_scale.warnings().into_iter().flatten())
             .chain(coupling)
             .chain(self.pressure_warning)
     }

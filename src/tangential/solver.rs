@@ -73,13 +73,14 @@ impl TangentialSolver {
             bodies, relative, ..
         } = &self.problem;
         bodies.collective_result_checked(Ok(()), &[("tangential load", &load)])?;
-        let (demand, boundary) = (load.demand(), bodies.boundary());
+        let demand = load.demand();
         let mut axes = load.axes(self.problem.model)?;
         // The axes remain unchanged if they support the load. They always support a zero load.
-        if demand.check(self.engine.increment.axes(), boundary).is_ok() {
+        let check = |axes| demand.check(axes, bodies, [0.0; 2]);
+        if check(self.engine.increment.axes()).is_ok() {
             axes = self.engine.increment.axes();
         }
-        demand.check(axes, boundary)?;
+        check(axes)?;
         let limits = &self.engine.increment.pressed.limits;
         limits.check(demand.force(), bodies.grid().cell_area())?;
         if axes != self.engine.increment.axes() {
@@ -271,7 +272,6 @@ impl Model<TangentialSolution> for TangentialProblem {
         let answer = engine.increment.answer();
         let input = (axis, &problem.friction, problem.relative.as_ref());
         solution.fill(bodies, input, &answer, &engine.report);
-        solution.set_load(&demand);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
         solution.set_neglected_traction(answer.neglected_traction(bodies, problem.coupling));
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);

@@ -17,9 +17,6 @@ pub(crate) const THICKEST_LAYER: usize = 10;
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
-/// Largest stretch of a spring without a warning, in longest sides of the grid.
-pub(super) const LONGEST_SPRING: usize = 1_000;
-
 /// Largest limit of the pressure or of the traction without a warning, in contact moduli.
 const LARGEST_LIMIT: f64 = 1.0;
 
@@ -109,7 +106,7 @@ impl Warning {
 
     /// Returns a shift over the longest side of the whole grid, in tenths, or `None` if the shift is small.
     pub(crate) fn shift_beyond(grid: Grid, [x, y]: [f64; 2]) -> Option<usize> {
-        tenths_beyond(x.hypot(y) / grid.whole().longest_side(), LARGEST_SHIFT)
+        tenths_beyond(x.hypot(y) / grid.whole().reference_side(), LARGEST_SHIFT)
     }
 
     /// Returns the warning for the magnitude of a bulk strain in thousandths, or `None` if the strain is small.
@@ -193,11 +190,6 @@ impl Warning {
     )]
     pub(crate) fn limit_beyond(ratio: f64) -> Option<usize> {
         (ratio > LARGEST_LIMIT).then(|| (1e3 * ratio).round() as usize)
-    }
-
-    /// Returns the stretch of a spring over the longest side of the whole grid, or `None` if the ratio is small.
-    pub(crate) fn spring_beyond(grid: Grid, stretch: f64) -> Option<usize> {
-        parts_beyond(stretch.abs() / grid.whole().longest_side(), LONGEST_SPRING)
     }
 
     /// Returns the warning for a residual of a cycle, or `None` if the residual is small.

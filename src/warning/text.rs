@@ -3,8 +3,8 @@
 use crate::error::counted;
 use crate::warning::Warning;
 use crate::warning::limits::{
-    LARGEST_COUPLING, LARGEST_RESIDUAL, LARGEST_SEAM, LONGEST_SPRING, LOWEST_CAP, LOWEST_HARDNESS,
-    LOWEST_PRESSURE, MANY_SPOTS, THICKEST_LAYER, refinement,
+    LARGEST_COUPLING, LARGEST_RESIDUAL, LARGEST_SEAM, LOWEST_CAP, LOWEST_HARDNESS, LOWEST_PRESSURE,
+    MANY_SPOTS, THICKEST_LAYER, refinement,
 };
 use crate::warning::resolution::{RESOLVED, RESOLVED_AREA, RESOLVED_LINE};
 
@@ -105,13 +105,9 @@ impl std::fmt::Display for Warning {
             ),
             Self::ShiftBeyondGrid { tenths } => write!(
                 formatter,
-                "the shift or relative displacement of the step or cycle is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid",
+                "the shift or relative displacement of the step or cycle is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid, or ignore this for a flat counterbody",
                 tenths / 10,
                 tenths % 10
-            ),
-            Self::SpringBeyondGrid { sides } => write!(
-                formatter,
-                "a spring is stretched by {sides} times the longest side of the grid, expected at most {LONGEST_SPRING}: check that position and stiffness are not exchanged, and check their units"
             ),
             Self::LargeBulkStrain { per_mille } => write!(
                 formatter,
@@ -121,7 +117,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::LargeTwist { tenths } => write!(
                 formatter,
-                "the twist of the step or cycle is {}.{} radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
+                "the twist of the step or cycle is {}.{} radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations, except of bodies of revolution",
                 tenths / 10,
                 tenths % 10
             ),
@@ -140,8 +136,8 @@ impl std::fmt::Display for Warning {
             ),
             Self::HardnessBeyondModulus { per_mille } => write!(
                 formatter,
-                "the hardness is {:.2} times the contact modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
-                1e-3 * *per_mille as f64
+                "the hardness is {} times the modulus, expected about 0.01, so that it has no effect: check the units of hardness and modulus, or omit the hardness",
+                times(*per_mille)
             ),
             Self::LowShearStress { parts } => write!(
                 formatter,
@@ -149,8 +145,8 @@ impl std::fmt::Display for Warning {
             ),
             Self::ShearStressBeyondModulus { per_mille } => write!(
                 formatter,
-                "the largest shear stress of the friction is {:.2} times the contact modulus, expected less than 0.01, so that it has no effect: check the units of stress and modulus, or omit this stress",
-                1e-3 * *per_mille as f64
+                "the largest shear stress of the friction is {} times the modulus, expected less than 0.01: check the units of stress and modulus, or omit this stress",
+                times(*per_mille)
             ),
             Self::LowPressure { parts } => write!(
                 formatter,
@@ -164,7 +160,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::ClosedGap { cells } => write!(
                 formatter,
-                "the gap before loading is almost but not exactly zero in {}, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces, or ignore this for flat surfaces",
+                "the gap before loading is almost closed in {} and rises around them, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces",
                 counted(*cells, "contact cell")
             ),
             Self::LargeContactRadius { per_mille } => write!(
@@ -225,6 +221,16 @@ impl std::fmt::Display for Warning {
             ),
             Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
         }
+    }
+}
+
+/// Returns a ratio in thousandths as a number.
+fn times(per_mille: usize) -> String {
+    const LARGEST: usize = 1_000_000_000;
+    if per_mille < LARGEST {
+        format!("{:.2}", 1e-3 * per_mille as f64)
+    } else {
+        format!("more than {}", LARGEST / 1_000)
     }
 }
 

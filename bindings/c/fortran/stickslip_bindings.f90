@@ -423,14 +423,12 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_BULK_STRAIN = 34
     ! Warning: the scalar model with one-way coupling neglects large tractions across its axis.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGLECTED_TRACTION = 35
-    ! Warning: a spring is stretched by more than a thousand longest sides of the grid, as with exchanged position and stiffness.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SPRING_BEYOND_GRID = 36
     ! Warning: the hardness exceeds the contact modulus and has no effect.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS = 37
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS = 36
     ! Warning: the largest shear stress of the friction exceeds the contact modulus and has no effect.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS = 38
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS = 37
     ! Warning: the gap before loading resembles the gap under load of an earlier solution.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CLOSED_GAP = 39
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CLOSED_GAP = 38
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

@@ -362,17 +362,14 @@
 // Warning: the scalar model with one-way coupling neglects large tractions across its axis.
 #define STICKSLIP_WARNING_NEGLECTED_TRACTION 35
 
-// Warning: a spring is stretched by more than a thousand longest sides of the grid, as with exchanged position and stiffness.
-#define STICKSLIP_WARNING_SPRING_BEYOND_GRID 36
-
 // Warning: the hardness exceeds the contact modulus and has no effect.
-#define STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS 37
+#define STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS 36
 
 // Warning: the largest shear stress of the friction exceeds the contact modulus and has no effect.
-#define STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS 38
+#define STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS 37
 
 // Warning: the gap before loading resembles the gap under load of an earlier solution.
-#define STICKSLIP_WARNING_CLOSED_GAP 39
+#define STICKSLIP_WARNING_CLOSED_GAP 38
 
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127

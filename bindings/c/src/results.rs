@@ -181,14 +181,12 @@ pub const STICKSLIP_WARNING_PERIODIC_SEAM: i32 = 33;
 pub const STICKSLIP_WARNING_LARGE_BULK_STRAIN: i32 = 34;
 /// Warning: the scalar model with one-way coupling neglects large tractions across its axis.
 pub const STICKSLIP_WARNING_NEGLECTED_TRACTION: i32 = 35;
-/// Warning: a spring is stretched by more than a thousand longest sides of the grid, as with exchanged position and stiffness.
-pub const STICKSLIP_WARNING_SPRING_BEYOND_GRID: i32 = 36;
 /// Warning: the hardness exceeds the contact modulus and has no effect.
-pub const STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS: i32 = 37;
+pub const STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS: i32 = 36;
 /// Warning: the largest shear stress of the friction exceeds the contact modulus and has no effect.
-pub const STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS: i32 = 38;
+pub const STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS: i32 = 37;
 /// Warning: the gap before loading resembles the gap under load of an earlier solution.
-pub const STICKSLIP_WARNING_CLOSED_GAP: i32 = 39;
+pub const STICKSLIP_WARNING_CLOSED_GAP: i32 = 38;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -261,7 +259,6 @@ impl From<&Warning> for stickslip_warning {
             Warning::LowPressure { .. } => (STICKSLIP_WARNING_LOW_PRESSURE, 0, 0),
             Warning::PeriodicSeam { .. } => (STICKSLIP_WARNING_PERIODIC_SEAM, 0, 0),
             Warning::LargeBulkStrain { .. } => (STICKSLIP_WARNING_LARGE_BULK_STRAIN, 0, 0),
-            Warning::SpringBeyondGrid { .. } => (STICKSLIP_WARNING_SPRING_BEYOND_GRID, 0, 0),
             Warning::HardnessBeyondModulus { .. } => {
                 (STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS, 0, 0)
             }

@@ -11,12 +11,14 @@ use crate::grid::record::checked_struct;
 use crate::half_space::HalfSpace;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
 use crate::history::state::mark::StateMark;
+use crate::history::state::motion_range::MotionRange;
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::{EnergyBalance, History};
 use crate::memory::fallible::unwrap_or_abort;
 use crate::numerics::cell_vector::norm;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::support::debug::shown;
+use crate::tangential::RigidMotion;
 
 pub(super) mod fretting_loop;
 pub(super) mod hysteresis;
@@ -81,6 +83,7 @@ checked_struct! {
         stick_ratios: [f64; 2],
         regime: Regime,
         pub(super) remarks: StepDiagnostics,
+        motion_range: MotionRange,
         /// State after the last step in the cycle, or the state at its start.
         last: StateMark,
         pair: ElasticPair,
@@ -153,6 +156,7 @@ impl Cycle {
             stick_ratios: [1.0, 0.0],
             regime: Regime::FullStick,
             remarks: StepDiagnostics::default(),
+            motion_range: MotionRange::default(),
             last: StateMark::of(history.state()),
             pair: *history.bodies.pair(),
             boundary: history.bodies.boundary(),
@@ -196,6 +200,7 @@ impl Cycle {
         self.points.push(LoopPoint::of(history.state()));
         (self.stick_ratios, self.regime) = ([1.0, 0.0], Regime::FullStick);
         self.remarks = StepDiagnostics::default();
+        self.motion_range.restart();
         self.last = StateMark::of(history.state());
     }
 
@@ -257,8 +262,28 @@ impl Cycle {
         let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
         self.stick_ratios = [least.min(ratio), largest.max(ratio)];
         self.remarks = self.remarks.and(step.remarks);
+        self.add_motion(history);
         self.points.push(LoopPoint::of(history.state()));
         Ok(())
+    }
+
+    /// Adds the motion of the last step to its range. Bodies that are apart or roll may move further than the grid.
+    fn add_motion(&mut self, history: &History) {
+        let last = history.step.remarks;
+        if last.is_apart || last.is_rolled {
+            self.motion_range.restart();
+            return;
+        }
+        let motion = |point: &LoopPoint| RigidMotion {
+            shift: point.shift,
+            twist: point.twist,
+        };
+        let from = self.points.last().map(motion);
+        let to = motion(&LoopPoint::of(history.state()));
+        self.motion_range.extend(from.unwrap_or(to), to);
+        let [shift, twist] = self.motion_range.tenths(history.grid());
+        self.remarks.shift_tenths = self.remarks.shift_tenths.max(shift);
+        self.remarks.twist_tenths = self.remarks.twist_tenths.max(twist);
     }
 
     fn check(&self, history: &History) -> Result<()> {

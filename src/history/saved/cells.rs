@@ -296,6 +296,7 @@ impl State {
             held_force: self.held_force,
             moment: self.moment,
             steps: self.steps,
+            motion_range: self.motion_range,
             zone_cells: self.zone_cells,
             entry_rule: self.entry_rule,
             coupling: self.coupling,

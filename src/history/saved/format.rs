@@ -228,7 +228,7 @@ impl State {
         };
         let pressure = self.normal.pressure().as_slice();
         let limits = hardness.limits();
-        let least = hardness.least_limit();
+        let least = hardness.least_limit(pressure);
         let is_reached = |i: &usize| limits.are_reached(*i, pressure[*i]);
         let yielded = (0..pressure.len()).filter(is_reached).count();
         self.normal.set_yielded_cells(yielded, least);

@@ -33,6 +33,7 @@ impl PartialEq for State {
             dissipated_energy,
             zones,
             motion,
+            motion_range: _,
             force,
             held_force,
             moment,

@@ -4,6 +4,7 @@ mod equality;
 pub(super) mod held_force;
 pub(super) mod mark;
 pub(super) mod memory;
+pub(super) mod motion_range;
 pub(super) mod over_ranks;
 pub(super) mod permanent_set;
 pub(super) mod readers;
@@ -23,6 +24,7 @@ use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
+use crate::history::state::motion_range::MotionRange;
 use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible::{self, TryClone, try_clone};
 use crate::normal::{Hardness, NormalControl, NormalSolution};
@@ -116,6 +118,8 @@ pub struct State {
     pub(super) dissipated_energy: Field,
     pub(super) zones: Vec<Zone>,
     pub(super) motion: RigidMotion,
+    /// Range of the motion, for warnings. Saved states do not contain it.
+    pub(super) motion_range: MotionRange,
     pub(super) force: [f64; 2],
     /// Force that a held shift is expected to keep.
     pub(super) held_force: [f64; 2],
@@ -137,7 +141,7 @@ clones!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
-    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, force, held_force, moment, steps, zone_cells, entry_rule, coupling, capacity, origin,
+    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, motion_range, force, held_force, moment, steps, zone_cells, entry_rule, coupling, capacity, origin,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -178,6 +182,7 @@ impl State {
             dissipated_energy: zeros()?,
             zones: fallible::filled(Zone::Separated, grid.cells())?,
             motion: RigidMotion::default(),
+            motion_range: MotionRange::default(),
             force: [0.0; 2],
             held_force: [0.0; 2],
             moment: 0.0,

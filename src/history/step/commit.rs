@@ -80,7 +80,7 @@ impl History {
         step.remarks.friction = FrictionScale::of(bodies, &state.friction, capacities);
         step.remarks.coupling_per_cent =
             found.and_then(|found| found.neglected_traction(bodies, state.coupling));
-        let change = motion.since(state.motion);
+        let (start, change) = (state.motion, motion.since(state.motion));
         let before = candidate.held().map(NormalSolution::pressure);
         // After a return to an earlier state, the window may differ from the window of the last step.
         let window = found.map(|found| found.region.window());
@@ -114,11 +114,11 @@ impl History {
         step.remarks.scale = state.normal.scale();
         step.remarks.hardness_parts = state.normal.low_hardness();
         step.remarks.hardness_per_mille = state.normal.high_hardness();
+        step.remarks.has_yielded = state.normal.yielded_cells() > 0;
         if !step.remarks.is_apart {
             step.remarks.strain_per_mille = state.large_strain(bodies, load);
-            let moved = (change, displacement_tenths);
-            measure_motion(state, input, moved, &mut step.remarks);
         }
+        measure_motion(state, (start, displacement_tenths), &mut step.remarks);
         let contact = (&*bodies, state.normal.pressure());
         let creepage = load.rolling().and_then(|roll| roll.large_creepage(contact));
         step.remarks.creepage_per_cent = creepage;
@@ -129,21 +129,26 @@ impl History {
     }
 }
 
-/// Adds the diagnostics about the motion in a step and about its springs, unless the step rolls. `displacement_tenths` belongs to
-/// the relative displacement.
+/// Adds the diagnostics about the motion in a step, and about the range of the motion if the step is the first one beyond a limit.
+/// `displacement_tenths` belongs to the relative displacement. Bodies that are apart or roll may move further.
 fn measure_motion(
-    state: &State,
-    input: &StepInput<'_>,
-    (change, displacement_tenths): (RigidMotion, Option<usize>),
+    state: &mut State,
+    (start, displacement_tenths): (RigidMotion, Option<usize>),
     remarks: &mut StepDiagnostics,
 ) {
-    if input.travel.is_some() {
+    if remarks.is_apart || remarks.is_rolled {
+        state.motion_range.restart();
         return;
     }
     let grid = state.grid();
-    remarks.shift_tenths = Warning::shift_beyond(grid, change.shift).max(displacement_tenths);
-    remarks.twist_tenths = Warning::twist_beyond(change.twist);
-    remarks.spring_sides = input.target.spring_sides(grid, state.motion.shift);
+    let before = state.motion_range.tenths(grid);
+    state.motion_range.extend(start, state.motion);
+    let after = state.motion_range.tenths(grid);
+    let [shift, twist] = [0, 1].map(|i| after[i].filter(|_| before[i].is_none()));
+    let change = state.motion.since(start);
+    let of_step = Warning::shift_beyond(grid, change.shift);
+    remarks.shift_tenths = of_step.max(displacement_tenths).max(shift);
+    remarks.twist_tenths = Warning::twist_beyond(change.twist).max(twist);
 }
 
 /// Returns whether a step has a slip zone inside its outermost cells although no cell slips. The state has the tractions before

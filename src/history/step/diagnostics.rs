@@ -1,7 +1,7 @@
 //! Diagnostics behind the warnings of a step or a cycle.
 
 use crate::history::Cycle;
-use crate::history::cycle::hysteresis::{half_range, repeats_loop};
+use crate::history::cycle::hysteresis::repeats_loop;
 use crate::normal::Scale;
 use crate::tangential::FrictionScale;
 use crate::warning::{Resolution, Warning};
@@ -46,14 +46,14 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest prescribed creepage of a rolled step that is not small, in per cent. Saved histories do not contain it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(in crate::history) creepage_per_cent: Option<usize>,
-    /// Largest stretch of a spring that is long, in longest sides of the grid.
-    pub(in crate::history) spring_sides: Option<usize>,
     /// Whether the bodies rolled.
     pub(in crate::history) is_rolled: bool,
     /// Coefficient and cap of the friction.
     pub(in crate::history) friction: FrictionScale,
-    /// Hardness divided by the contact modulus in thousandths, if the hardness exceeds this modulus and has no effect.
+    /// Hardness divided by the plane-strain modulus in thousandths, if the hardness exceeds this modulus and has no effect.
     pub(in crate::history) hardness_per_mille: Option<usize>,
+    /// Whether cells have reached their hardness.
+    pub(in crate::history) has_yielded: bool,
     /// Contact modulus divided by the largest pressure of a step in which almost all contact cells are at a low hardness.
     pub(in crate::history) hardness_parts: Option<usize>,
     /// Largest change of the gap since the last pressure that is not small, in tenths of the largest normal displacement.
@@ -86,10 +86,10 @@ impl StepDiagnostics {
             strain_per_mille: self.strain_per_mille.max(other.strain_per_mille),
             twist_tenths: self.twist_tenths.max(other.twist_tenths),
             creepage_per_cent: self.creepage_per_cent.max(other.creepage_per_cent),
-            spring_sides: self.spring_sides.max(other.spring_sides),
             is_rolled: self.is_rolled || other.is_rolled,
             friction: self.friction.max(other.friction),
             hardness_per_mille: self.hardness_per_mille.max(other.hardness_per_mille),
+            has_yielded: self.has_yielded || other.has_yielded,
             hardness_parts: self.hardness_parts.max(other.hardness_parts),
             gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
@@ -122,9 +122,8 @@ impl StepDiagnostics {
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let creepage = self.creepage_per_cent;
         let creepage = creepage.map(|per_cent| Warning::LargeCreepage { per_cent });
-        let spring = self.spring_sides;
-        let spring = spring.map(|sides| Warning::SpringBeyondGrid { sides });
-        let hardness = Warning::of_hardness(self.hardness_parts, self.hardness_per_mille);
+        let high = self.hardness_per_mille.filter(|_| !self.has_yielded);
+        let hardness = Warning::of_hardness(self.hardness_parts, high);
         let gap_change = self.gap_change_tenths;
         let gap_change = gap_change.map(|tenths| Warning::LargeGapChange { tenths });
         let lift = self.neglected_lift;
@@ -136,11 +135,10 @@ impl StepDiagnostics {
             .chain(zones)
             .chain(self.scale.warnings())
             .chain(shift)
-            .chain(spring)
             .chain(Warning::of_strain(self.strain_per_mille))
             .chain(twist)
             .chain(creepage)
-            .chain(self.friction.warning())
+            .chain(self.friction.warnings().into_iter().flatten())
             .chain(gap_change)
             .chain(lost)
             .chain(unused)
@@ -154,28 +152,14 @@ impl Cycle {
     /// largest count. The warning for a narrow slip zone appears only if the zone was too narrow in all steps. The cycle has the
     /// warning [`RepeatedLoop`](Warning::RepeatedLoop) if it contains more than one loop, and [`OpenCycle`](Warning::OpenCycle) if
     /// its loads return to their start but the cycle does not close. It has
-    /// [`ShiftBeyondGrid`](Warning::ShiftBeyondGrid) or [`LargeTwist`](Warning::LargeTwist) if the range of the motion over all
-    /// steps is too large, although each step is small.
+    /// [`ShiftBeyondGrid`](Warning::ShiftBeyondGrid) or [`LargeTwist`](Warning::LargeTwist) if the range of the motion over
+    /// consecutive steps in contact is too large, although each step is small.
     /// [`History::normal`](crate::History::normal) returns the warnings about the grid and the contact spots.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        let mut warnings = self.remarks_of_loop().warnings();
+        let mut warnings = self.remarks.warnings();
         warnings.extend(repeats_loop(self.points()).then_some(Warning::RepeatedLoop));
         warnings.extend(self.open_warning());
         warnings
-    }
-
-    /// Returns the diagnostics of all steps with the range of shift and twist. Bodies that roll may move further than the grid.
-    fn remarks_of_loop(&self) -> StepDiagnostics {
-        let mut remarks = self.remarks;
-        if !remarks.is_rolled && self.steps() > 0 {
-            let range = self.shift_amplitude().map(|amplitude| 2.0 * amplitude);
-            let twist = 2.0 * half_range(self.points(), |point| point.twist);
-            let grid = self.slip_distance().grid();
-            let shift = Warning::shift_beyond(grid, range);
-            remarks.shift_tenths = remarks.shift_tenths.max(shift);
-            remarks.twist_tenths = remarks.twist_tenths.max(Warning::twist_beyond(twist));
-        }
-        remarks
     }
 }

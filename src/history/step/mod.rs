@@ -290,7 +290,8 @@ impl History {
     ) -> Result<&StepResult> {
         let input = self.state.input(load, &self.bodies);
         let checked = self.state.check_rolling(load, &self.bodies);
-        let checked = checked.and_then(|()| input.target.check(self.state.axes, self.boundary()));
+        let (axes, shift) = (self.state.axes, self.state.shift());
+        let checked = checked.and_then(|()| input.target.check(axes, &self.bodies, shift));
         let checked = checked.and_then(|()| self.state.check_relative(load));
         self.bodies
             .collective_result_checked(checked, &[("load", load)])?;

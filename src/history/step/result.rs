@@ -228,7 +228,6 @@ impl StepResult {
     /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
     /// - the warnings about large approaches, slopes, shifts, twists, creepages and coefficients of friction,
     /// - the warnings about low or high values of the hardness and the largest shear stress, as [`Warning::LowHardness`],
-    /// - [`Warning::SpringBeyondGrid`],
     /// - [`Warning::LargeGapChange`] and [`Warning::ClosedGap`],
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::UnusedRelativeDisplacement`],

@@ -25,7 +25,7 @@ pub struct CreepForce {
     /// Ratio of sticking cells to cells in contact.
     pub stick_ratio: f64,
     #[cfg_attr(feature = "serde", serde(default))]
-    remarks: [Option<Warning>; 4],
+    remarks: [Option<Warning>; 5],
 }
 
 impl CreepForce {

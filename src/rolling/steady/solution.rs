@@ -288,22 +288,24 @@ impl RollingSolution {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
         let map = ContactMap::of(self.grid(), self.boundary, contains, None);
         let mut warnings = unwrap_or_abort(map.warnings());
-        let [lift, creepage, friction, pressure] = self.load_warnings();
+        let [lift, of_loads @ ..] = self.load_warnings();
         warnings.extend(lift);
         warnings.extend(Warning::of_status(self.report.status));
-        warnings.extend(creepage.into_iter().chain(friction).chain(pressure));
+        warnings.extend(of_loads.into_iter().flatten());
         warnings.extend(self.scale.warnings());
         warnings
     }
 
     /// Returns the warnings about a neglected lift, a large creepage or spin, a large coefficient of friction or a low or high
     /// cap of the friction, and a low or high prescribed pressure.
-    pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 4] {
+    pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 5] {
         let lift = self.neglected_lift;
+        let [friction, cap] = self.friction_scale.warnings();
         [
             lift.map(|per_million| Warning::NeglectedLift { per_million }),
             self.creepage_warning(),
-            self.friction_scale.warning(),
+            friction,
+            cap,
             self.pressure_warning,
         ]
     }

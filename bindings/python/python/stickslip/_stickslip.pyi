@@ -8075,7 +8075,7 @@ class Warning:
     The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
-    ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``spring_beyond_grid``,
+    ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``,
     ``large_bulk_strain``, ``large_twist``, ``large_creepage``, ``large_friction``, ``low_hardness``,
     ``hardness_beyond_modulus``, ``low_shear_stress``, ``shear_stress_beyond_modulus``, ``low_pressure``,
     ``large_gap_change``, ``closed_gap``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``,
