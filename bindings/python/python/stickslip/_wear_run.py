@@ -369,7 +369,8 @@ def run(
     CycleNotClosed
         If no cycle closed among the cycles computed on a gap.
     NoWholeCycle
-        If one cycle removes more than the limit.
+        If one cycle removes more than ``largest_depth``, or more than the stability of the worn gap allows. The message names
+        the smaller limit.
 
     Notes
     -----
