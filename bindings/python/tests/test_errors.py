@@ -253,6 +253,7 @@ def test_warnings_are_objects_and_issued_by_default(scene):
     with pytest.warns(ss.ContactWarning, match="refine the grid") as caught:
         tiny.solve()
     assert caught[0].filename == __file__
+    assert {warning.message.kind for warning in caught} == {"discretisation_error", "unresolved_spots"}
     history = scene.history()
     history.step(normal_force=FORCE)
     history.set_gap(scene.ball + 1e-9)

@@ -215,6 +215,19 @@ def test_arguments_and_limits_are_checked():
     assert ss.wear.run(history(), loop(), LAW, 0).cycles == 0
 
 
+@pytest.mark.parametrize("law", [ss.wear.EnergyLaw, lambda coefficient: ss.wear.ThresholdEnergyLaw(coefficient, 0.0)])
+def test_cycle_that_removes_more_than_largest_depth_is_rejected(law):
+    for limit in (1e-25, lambda history: 1e-25):
+        sentence = r"a cycle removes up to \S+, more than largest_depth, which is 1e-25 \(\S+ cycles\): give a larger largest_depth"
+        with pytest.raises(ss.errors.NoWholeCycle, match=sentence) as caught:
+            ss.wear.run(history(), loop(), law(COEFFICIENT), 10, largest_depth=limit)
+        assert 0.0 < caught.value.cycles < 1.0 and caught.value.snapshot.cycles == 0
+    # The stability of the worn gap is the smaller limit.
+    with pytest.raises(ss.errors.NoWholeCycle, match="a cycle removes more than the limit, which is .*: reduce the wear") as caught:
+        ss.wear.run(history(), loop(), law(1e-9), 10, largest_depth=1e-6)
+    assert 0.0 < caught.value.cycles < 1.0
+
+
 def test_history_out_of_contact_is_rejected():
     apart = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5)
     with pytest.raises(ss.errors.EmptyContact, match="press it by a step with a normal load before the run"):

@@ -224,29 +224,3 @@ def test_energies_in_the_wrong_order_are_rejected(scene):
     assert np.all(ss.wear.threshold_energy(1e-13, 0.0, total, step) > 0.0)
     with pytest.raises(ss.errors.BelowMinimum, match="sum of the accumulated energy must be at least"):
         ss.wear.threshold_energy(1e-13, 0.0, step, total)
-
-
-@pytest.mark.parametrize(("law", "is_negligible"), [
-    (ss.wear.ThresholdEnergyLaw(1e-13, threshold=1e15), True),
-    (ss.wear.EnergyLaw(1e-25), True),
-    (ss.wear.EnergyLaw(1e-13), False),
-])
-def test_run_without_wear_gives_warning(scene, law, is_negligible):
-    history = scene.history()
-    history.step(normal_force=100.0)
-    path = ss.history.LoadPath.triangle((1e-6, 0.0), 8)
-    loop = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=100.0, shift=shift))
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        result = ss.wear.run(history, loop, law, 30)
-    texts = [str(caught_warning.message) for caught_warning in caught]
-    found = [text for text in texts if text.startswith("the largest worn depth after 30 cycles is ")]
-    assert len(found) == is_negligible and result.snapshot.dissipation.max() > 0.0
-    # Bodies that stick dissipate nothing.
-    still = ss.history.FrettingLoop(ss.history.LoadPath.triangle((1e-12, 0.0), 8), lambda shift: ss.LoadStep(normal_force=100.0, shift=shift))
-    history = scene.history()
-    history.step(normal_force=100.0)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        ss.wear.run(history, still, law, 30)
-    assert not any("worn depth" in str(caught_warning.message) for caught_warning in caught)

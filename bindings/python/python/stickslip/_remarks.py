@@ -24,5 +24,7 @@ def warn(remarks: list[tuple[str, str]]) -> None:
         if registry.get((registry.get(place), ContactWarning, line)):
             registry[sentence, ContactWarning, line] = True
         name = frame.f_globals.get("__name__", "<unknown>")
-        warnings.warn_explicit(sentence, ContactWarning, frame.f_code.co_filename, line, name, registry)
+        warning = ContactWarning(sentence)
+        warning.kind = kind
+        warnings.warn_explicit(warning, ContactWarning, frame.f_code.co_filename, line, name, registry)
         registry[place] = sentence

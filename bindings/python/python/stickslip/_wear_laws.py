@@ -140,7 +140,10 @@ class CycleWear:
         of_cycle = _checked(self.law(history, cycle), history)
         left = min(limits.cycles, _until_depth(limits.max_depth, depth, of_cycle, limits.cycles))
         options = {"largest_depth": limits.largest_depth, "max_residual": limits.max_residual, "cycles_left": left}
-        cycles = CycleJump(history.bodies, cycle, of_cycle, **options).cycles()
+        try:
+            cycles = CycleJump(history.bodies, cycle, of_cycle, **options).cycles()
+        except NoWholeCycle as error:
+            raise _no_whole_cycle(error.cycles, of_cycle, limits.largest_depth) from None
         assert cycles is not None  # `cycles_left` is finite
         return cycles, cycles * of_cycle
 
@@ -184,13 +187,7 @@ class JumpWear:
             return float(allowed)
 
         if allowed(1) < 1.0:
-            error = NoWholeCycle(
-                f"a cycle removes more than the limit, which is {allowed(1):g} cycles: "
-                "reduce the wear coefficient, or wear the gap after each step of the cycle; "
-                "check the unit of the coefficient (1 mm3/(N m) is 1e-9 1/Pa)"
-            )
-            error.cycles = allowed(1)
-            raise error
+            raise _no_whole_cycle(allowed(1), first, limits.largest_depth)
         most = limits.cycles
         if limits.max_depth is not None and (depth + removed(most)).max() >= limits.max_depth:
             deepest = limits.max_depth
@@ -202,6 +199,25 @@ class JumpWear:
             warn(_remarks_on_halves(removed(limits.cycles), removed(half) + after_half, limits.cycles))
             self.is_first = False
         return cycles, removed(cycles)
+
+
+def _no_whole_cycle(cycles: float, of_cycle: NDArray[Any], largest_depth: float | None) -> NoWholeCycle:
+    """Returns the error of a cycle that removes more than a limit. ``cycles`` is the limit, a fraction of a cycle."""
+    deepest = of_cycle.max()
+    # The tolerance allows for round-off of the quotient.
+    if largest_depth is not None and largest_depth <= cycles * deepest * (1.0 + 1e-9):
+        error = NoWholeCycle(
+            f"a cycle removes up to {deepest:.4g}, more than largest_depth, which is {largest_depth:.4g} ({cycles:.4g} cycles): "
+            "give a larger largest_depth and check its unit, or reduce the wear coefficient"
+        )
+    else:
+        error = NoWholeCycle(
+            f"a cycle removes more than the limit, which is {cycles:g} cycles: "
+            "reduce the wear coefficient, or wear the gap after each step of the cycle; "
+            "check the unit of the coefficient (1 mm3/(N m) is 1e-9 1/Pa)"
+        )
+    error.cycles = cycles
+    return error
 
 
 def _remarks_on_halves(whole: NDArray[Any], halves: NDArray[Any], cycles: int) -> list[tuple[str, str]]:

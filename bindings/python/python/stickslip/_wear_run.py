@@ -26,13 +26,11 @@ from ._stickslip import Cycle, Field, HalfSpace, History, State
 from ._tables import to_frame
 from ._wear_resume import check_contact, check_resume
 from ._wear_laws import CycleWear, JumpLaw, JumpWear, Limits, digest, law_in_words
+from ._wear_remarks import remarks_on_limits, remarks_on_wear
 from .errors import ArgumentRange, File, Format, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
-
-# Largest worn depth after a run with a warning, in approaches. The depth is then close to the round-off of the gap.
-LEAST_WEAR = 1e-12
 
 # Numbers in the names of partial files.
 _PARTIAL_FILES = itertools.count()
@@ -371,7 +369,8 @@ def run(
     CycleNotClosed
         If no cycle closed among the cycles computed on a gap.
     NoWholeCycle
-        If one cycle removes more than the limit.
+        If one cycle removes more than ``largest_depth``, or more than the stability of the worn gap allows. The message names
+        the smaller limit.
 
     Notes
     -----
@@ -387,8 +386,15 @@ def run(
     After an exception, also after Ctrl-C, the history is in the state after the last jump, and the attribute ``snapshot``
     of the exception contains it. Pass it as ``resume`` to continue.
 
-    A complete run issues a :class:`~stickslip.errors.ContactWarning` if it removed less than 1e-12 of the approach although
-    cells dissipated energy. Common causes are a coefficient or a threshold in another unit.
+    In addition to the warnings of its cycles, a run issues a :class:`~stickslip.errors.ContactWarning` of these kinds:
+
+    - ``negligible_wear``: a complete run removed at most 1e-10 of the approach although cells dissipated energy. Common causes
+      are a coefficient or a threshold in another unit. With a threshold, the depth without the threshold counts, and an energy
+      per area below 1 % of the threshold has a warning of its own. A coefficient of zero has none.
+    - ``ineffective_largest_depth``, ``ineffective_max_depth``: a finite number given for ``largest_depth`` or ``max_depth``
+      exceeds 1000 times the approach at the start, as micrometres given as metres.
+    - ``inconsistent_law``: a :class:`JumpLaw` ignores the energy dissipated before; see :meth:`JumpLaw.depth_of_jump`.
+    - ``no_cycles_left``: the snapshot of ``resume`` already contains all cycles.
 
     A resumed run equals an uninterrupted run bitwise, except that the last jump of a complete run is shortened to the
     requested number of cycles. With more cycles, an uninterrupted run would have made this jump in full.
@@ -447,6 +453,7 @@ def run(
     snapshot = taken()
     with cycle_bar(cycles, done, progress is True) as bar:
         try:
+            warn(remarks_on_limits(history.approach, largest_depth=largest_depth, max_depth=max_depth))
             while True:
                 computed = _settle(history, loop, cycle, settling, max_residual)
                 row = _row(history, cycle, done, computed, depth, total_energy)
@@ -455,7 +462,7 @@ def run(
                     ending = WearEnding.DEPTH if is_worn_out else WearEnding.CYCLE_LIMIT
                     rows.append(row)
                     snapshot = taken()
-                    warn(_remarks(history, snapshot))
+                    warn(remarks_on_wear(law, history, snapshot))
                     return WearResult(ending, cycle, snapshot, tuple(snapshots))
                 limit = largest_depth(history) if callable(largest_depth) else largest_depth
                 limits = Limits(min(cycles - done, largest_jump or cycles), limit, max_depth, max_residual)
@@ -476,20 +483,6 @@ def run(
             history.set_state(snapshot.state)
             error.snapshot = snapshot  # type: ignore[attr-defined]
             raise
-
-
-def _remarks(history: History, snapshot: WearSnapshot) -> list[tuple[str, str]]:
-    """Returns the remark that a run removed almost nothing although cells dissipated energy."""
-    depth, energy = snapshot.depth.max(), snapshot.dissipation.max() / history.grid.cell_area
-    if not energy > 0.0 or depth > LEAST_WEAR * abs(history.approach):
-        return []
-    return [
-        (
-            "negligible_wear",
-            f"the largest worn depth after {snapshot.cycles} cycles is {depth:.3g} at an approach of {history.approach:.3g}, although "
-            f"cells dissipated up to {energy:.3g} per area: check the units of the coefficient of wear and of a threshold",
-        )
-    ]
 
 
 def _not_a_snapshot(start: bytes) -> tuple[str, str]:

@@ -27,6 +27,9 @@ class ContactWarning(UserWarning):
     exception, the step is therefore taken: do not repeat it.
     """
 
+    kind: str
+    """Name of the kind, such as "contact_at_edge", equal to ``kind`` of the warning in ``solution.warnings``."""
+
 
 class _Argument(StickslipError):
     """An argument cannot be converted."""
