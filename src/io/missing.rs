@@ -18,16 +18,19 @@ const NAMES: [&str; 8] = [
 ];
 
 /// Magnitudes of numbers that programs write for a missing point, the smallest first. The last number is 1e20 in single precision.
-const MARKS: [f64; 11] = [
+const MARKS: [f64; 14] = [
     999.0,
     9999.0,
     10_000.0,
     99999.0,
+    100_000.0,
     999_999.0,
     32767.0,
     32768.0,
+    65535.0,
     2_147_483_647.0,
     2_147_483_648.0,
+    4_294_967_295.0,
     1e20,
     1.000_000_020_040_877_3e20,
 ];
