@@ -48,6 +48,9 @@ pub(crate) fn counted(count: usize, noun: &str) -> String {
 /// Relative difference at which a force equals its limit within round-off.
 const EQUAL: f64 = 1e-9;
 
+/// Ratio of a force to its limit above which the units of force and pressure may differ.
+const LARGEST_RATIO: f64 = 100.0;
+
 /// Returns the message for a tangential force beyond the friction capacity, with a remedy.
 pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     let remedy = if limit > 0.0 {
@@ -60,7 +63,13 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     } else {
         "reaches"
     };
-    format!("the tangential force {force:?} {verb} the friction limit {limit:?}: {remedy}")
+    // Without friction, the units do not cause the error.
+    let units = if limit > 0.0 && force > LARGEST_RATIO * limit {
+        ", or check the units of force and pressure"
+    } else {
+        ""
+    };
+    format!("the tangential force {force:?} {verb} the friction limit {limit:?}: {remedy}{units}")
 }
 
 /// Returns the message for a normal force beyond the hardness, with a remedy.

@@ -270,11 +270,27 @@ fn every_error_has_its_text() {
         ),
         (
             Error::BeyondFrictionCapacity {
+                force: 100.0,
+                limit: 1.0,
+                remedy: SLIDE,
+            },
+            "the tangential force 100.0 exceeds the friction limit 1.0: prescribe a shift or a spring to let the body slide",
+        ),
+        (
+            Error::BeyondFrictionCapacity {
+                force: 101.0,
+                limit: 1.0,
+                remedy: SLIDE,
+            },
+            "the tangential force 101.0 exceeds the friction limit 1.0: prescribe a shift or a spring to let the body slide, or check the units of force and pressure",
+        ),
+        (
+            Error::BeyondFrictionCapacity {
                 force: 3.0,
                 limit: 1e-6,
                 remedy: SLIDE_UNDER_CAP,
             },
-            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe a shift or a spring to let the body slide",
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe a shift or a spring to let the body slide, or check the units of force and pressure",
         ),
         (
             with_remedy(
@@ -285,7 +301,7 @@ fn every_error_has_its_text() {
                 },
                 ROLL_UNDER_CAP,
             ),
-            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe the creepage, or lower the force",
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe the creepage, or lower the force, or check the units of force and pressure",
         ),
         (
             Error::BeyondFrictionMoment {
