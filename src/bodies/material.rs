@@ -181,7 +181,7 @@ impl Material {
 
     /// Sets the hardness (a pressure). If an elastic contact exceeds it, the solution has the warning
     /// [`Warning::BeyondHardness`](crate::Warning::BeyondHardness). To limit the pressure, give the problem a
-    /// [`Hardness`](crate::normal::Hardness).
+    /// [`Hardness`](crate::normal::Hardness). A Vickers number HV in kgf/mm2 times 9.81 is a hardness in MPa.
     ///
     /// # Errors
     /// - [`Error::NotPositive`] if the hardness is not positive and finite.
@@ -503,7 +503,7 @@ impl ElasticPair {
         self.check_homogeneous("a closed form with one modulus", remedy)
     }
 
-    /// Returns the hardness of the softer body (a pressure), or infinity if none is stated.
+    /// Returns the smaller of the stated hardnesses (a pressure), or infinity if none is stated.
     #[must_use]
     pub fn hardness(&self) -> f64 {
         self.bodies[0].hardness.min(self.bodies[1].hardness)

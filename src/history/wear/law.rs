@@ -48,8 +48,8 @@ pub fn archard<'a>(
 /// `coefficient` is alpha for one body, or the sum for both bodies. It is the volume removed per dissipated energy (one
 /// over a pressure). In gross slip alpha equals Archard's k divided by the coefficient of friction. `energy` is the
 /// energy that each cell dissipates in a [step](crate::history::StepResult::dissipation) or a
-/// [cycle](crate::history::Cycle::dissipation). See Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
-/// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
+/// [cycle](crate::history::Cycle::dissipation). It is neither the accumulated dissipation of the history nor an energy per area. See
+/// Fouvry, Kapsa & Vincent, Wear 200 (1996) 186, <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// A failed step leaves [`History::last_step`](crate::history::History::last_step) at the earlier step. A program must not
 /// add the wear of this step again.
