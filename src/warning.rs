@@ -225,7 +225,7 @@ pub enum Warning {
     },
     /// The gap before loading resembles the [gap under load](crate::NormalSolution::gap) of an earlier solution. The bodies would be
     /// deformed twice. At least a fifth of the contact cells have a gap below 1e-5 of the displacement but above round-off. The gap of
-    /// most of their neighbours is more than 100 times larger, and less than half of the displacement. On grids that are periodic along
+    /// most of their other neighbours is more than 100 times larger, and less than a tenth of the displacement. On grids that are periodic along
     /// both axes, a gap with only such cells has the warning too.
     ///
     /// The gap under load after wear, a shift of its datum, or a solve with a tolerance above about 1e-5 is not recognised.
@@ -291,6 +291,9 @@ pub enum Warning {
     UnusedRelativeDisplacement,
     /// A cycle contains a closed loop of force and shift, and further steps that repeat it. Energies and slip distances of the
     /// cycle are then sums over several loops. [`Cycle::begin`](crate::history::Cycle::begin) starts a new cycle.
+    ///
+    /// A minor loop within a cycle, after which the path continues as before it, can also have this warning. Minor loops occur under
+    /// variable amplitudes or higher harmonics.
     RepeatedLoop,
     /// The loads of a cycle return to their start, but its
     /// [residual](crate::history::Cycle::cyclic_residual) exceeds 0.1. Its energies and slip distances then differ from those of a

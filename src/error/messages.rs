@@ -63,8 +63,9 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     } else {
         "reaches"
     };
-    // Without friction, the units do not cause the error.
-    let units = if limit > 0.0 && force > LARGEST_RATIO * limit {
+    // Without friction, the units do not cause the error. A low cap is a more likely cause.
+    let is_capped = remedy.starts_with("check the unit");
+    let units = if limit > 0.0 && force > LARGEST_RATIO * limit && !is_capped {
         ", or check the units of force and pressure"
     } else {
         ""

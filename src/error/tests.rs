@@ -290,7 +290,7 @@ fn every_error_has_its_text() {
                 limit: 1e-6,
                 remedy: SLIDE_UNDER_CAP,
             },
-            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe a shift or a spring to let the body slide, or check the units of force and pressure",
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe a shift or a spring to let the body slide",
         ),
         (
             with_remedy(
@@ -301,7 +301,7 @@ fn every_error_has_its_text() {
                 },
                 ROLL_UNDER_CAP,
             ),
-            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe the creepage, or lower the force, or check the units of force and pressure",
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of the largest shear stress, or prescribe the creepage, or lower the force",
         ),
         (
             Error::BeyondFrictionMoment {

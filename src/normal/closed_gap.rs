@@ -12,7 +12,7 @@ const CLOSED_PART: f64 = 0.2;
 /// Least ratio of the gap next to a closed cell to the gap of this cell. Gaps of smooth surfaces grow more slowly.
 const STEP: f64 = 100.0;
 /// Largest gap next to a closed cell, relative to the displacement. The gap at the edge of a punch is larger.
-const NEAR: f64 = 0.5;
+const NEAR: f64 = 0.1;
 
 /// Returns the number of contact cells with almost closed gaps if the gap before loading resembles a gap under load. Otherwise
 /// returns zero. `largest` is the largest pressure. `cells` are the number of contact cells, and an upper bound of the closed ones
@@ -36,10 +36,8 @@ pub(super) fn closed_cells(
     let extent = (contact as f64 * grid.cell_area()).sqrt();
     let displacement = largest * extent / bodies.pair().contact_modulus();
     let round_off = ROUND_OFF * reduce::max(&layout, |cell| gap[cell].abs());
-    let is_closed = |cell: usize| {
-        let size = gap[cell].abs();
-        size > round_off && size < CLOSED * displacement
-    };
+    let is_small = |cell: usize| gap[cell].abs() < CLOSED * displacement;
+    let is_closed = |cell: usize| gap[cell].abs() > round_off && is_small(cell);
     let [closed, open, edges] = reduce::sum(&layout, |cell| {
         let mut counts = [0, 0, 0];
         if pressure[cell] <= 0.0 || !is_closed(cell) {
@@ -54,7 +52,7 @@ pub(super) fn closed_cells(
             (row + 1 < ny).then_some(cell + nx),
         ];
         for next in neighbours.into_iter().flatten() {
-            if !is_closed(next) {
+            if !is_small(next) {
                 counts[1] += 1;
                 let is_edge = gap[next] > STEP * gap[cell].abs() && gap[next] < NEAR * displacement;
                 counts[2] += usize::from(is_edge);

@@ -1,5 +1,6 @@
 //! Warnings about limits above the modulus, motions of many small steps and gaps under load, and the rejection of long springs.
 
+use stickslip::adaptive::{AdaptiveProblem, Quantity, Region};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Rolling};
 use stickslip::layers::Layer;
 use stickslip::normal::Hardness;
@@ -395,4 +396,60 @@ fn gap_under_load_of_another_problem_gives_warning() {
         },
     );
     assert_eq!(closed_warning(pressed(&bodies, &punch).warnings()), None);
+}
+
+/// The noise of the gap under load depends on the tolerance, and the displacement on a periodic grid differs from the approach.
+#[test]
+fn gap_under_load_of_periodic_and_adaptive_contacts_gives_warning() {
+    let grid = Grid::square(48, SIDE).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    let waves = surface::bisinusoidal(grid, 0.01, [SIDE; 2]).unwrap();
+    // The larger load closes the whole gap.
+    for (part, is_whole) in [(0.004, false), (0.05, true)] {
+        let press = NormalLoad::Force(part * SIDE * SIDE);
+        for tolerance in [1e-5, 1e-8] {
+            let contact = kit::press(&bodies, &waves, press, tolerance);
+            assert_eq!(contact.contact_cells() == grid.cells(), is_whole);
+            assert_eq!(closed_warning(contact.warnings()), None);
+            let again = kit::press(&bodies, contact.gap(), press, tolerance);
+            assert!(
+                closed_warning(again.warnings()).is_some(),
+                "{part} {tolerance}"
+            );
+        }
+    }
+    let region = Region::rectangle([-1.5, 1.5], [-1.5, 1.5]).unwrap();
+    let ball = |x: f64, y: f64| (x * x + y * y) / (2.0 * RADIUS);
+    let problem = AdaptiveProblem::builder(kit::unit_pair(0.3), &ball, load(), region);
+    let problem = problem.target(Quantity::Area, 1e-2).build().unwrap();
+    let found = problem.solve().unwrap();
+    let contact = found.normal();
+    assert_eq!(closed_warning(contact.warnings()), None);
+    let again = NormalProblem::builder(found.bodies(), contact.gap(), load());
+    assert!(closed_warning(kit::solve(again).warnings()).is_some());
+}
+
+/// Flat surfaces with round-off, and surfaces that are far smoother than the displacement.
+#[test]
+fn almost_flat_surfaces_give_no_warning_of_closed_gap() {
+    let bodies = HalfSpace::new(Grid::square(48, SIDE).unwrap(), kit::unit_pair(0.3)).unwrap();
+    let noise = |size: f64| kit::rough(bodies.grid(), 3).scaled(size);
+    let punch = |jump: f64| {
+        let mut gap = noise(1e-9);
+        let edge = Field::from_fn(
+            bodies.grid(),
+            |x, y| if x.hypot(y) < 1.0 { 0.0 } else { jump },
+        );
+        gap.add_scaled(1.0, &edge).unwrap();
+        gap
+    };
+    for gap in [
+        noise(1e-17),
+        noise(1e-9),
+        noise(1e-6),
+        punch(1.0),
+        punch(0.02),
+    ] {
+        assert_eq!(closed_warning(pressed(&bodies, &gap).warnings()), None);
+    }
 }

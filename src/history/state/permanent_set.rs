@@ -1,6 +1,10 @@
 //! Permanent plastic deformation under the hardness of a history.
 
+use crate::cgm::reduce;
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
 use crate::history::state::State;
+use crate::parallel::layout::Layout;
 
 /// Removes the overlap from the surfaces of the cells whose new pressure is at the hardness. The surfaces then fit each
 /// other under the same load. The contact under a smaller load is elastic.
@@ -19,6 +23,38 @@ pub(in crate::history) fn update_permanent_set(state: &mut State) {
             state.pressed_gap.as_mut_slice()[cell] += overlap;
         }
     }
+}
+
+/// Largest mean distance of a new gap from the gap with the permanent set that counts as equal, relative to the set.
+const EQUAL: f64 = 0.1;
+
+/// Returns an error if a new gap already contains the accumulated plastic depth, which [`add_yielded`] would add again. The function
+/// is collective.
+pub(in crate::history) fn check_without_set(
+    state: &State,
+    layout: &Layout,
+    gap: &Field,
+) -> Result<()> {
+    let Some(yielded) = state.yielded.as_ref().map(Field::as_slice) else {
+        return Ok(());
+    };
+    let (new, present) = (gap.as_slice(), state.gap.as_slice());
+    let [set, distance] = reduce::sum(layout, |cell| {
+        if yielded[cell] > 0.0 {
+            [yielded[cell], (new[cell] - present[cell]).abs()]
+        } else {
+            [0.0; 2]
+        }
+    });
+    if distance < EQUAL * set {
+        return Err(Error::UnsupportedByModel {
+            model: "a history with a permanent set",
+            quantity: "a gap that already contains the set (largest depth)",
+            value: reduce::max(layout, |cell| yielded[cell]),
+            remedy: "change the gap as it was set, because the history adds the permanent set to it",
+        });
+    }
+    Ok(())
 }
 
 /// Adds the accumulated plastic depth to a gap that the caller has set.

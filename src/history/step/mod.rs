@@ -25,7 +25,7 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::state::State;
-use crate::history::state::permanent_set::add_yielded;
+use crate::history::state::permanent_set::{add_yielded, check_without_set};
 use crate::history::step::scheme::Scheme;
 use crate::history::step::solve::StepInput;
 use crate::history::{LoadStep, StepResult};
@@ -337,6 +337,8 @@ impl History {
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
     /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::UnsupportedByModel`] if the history has a permanent set and the gap already contains it, as
+    ///   [`unloaded_gap`](Self::unloaded_gap) does.
     /// - [`Error::GapUnderLoad`] if the gap is the [gap under load](crate::NormalSolution::gap) of the present contact.
     /// - [`Error::Ranks`] if ranks fail.
     ///
@@ -349,6 +351,7 @@ impl History {
             loaded.map_or(Ok(()), |cell| cell.check_differs(gap))
         });
         self.bodies.collective_result(checked)?;
+        check_without_set(&self.state, &self.bodies.grid_layout(), gap)?;
         let state = &mut self.state;
         let (pressed, new) = (state.pressed_gap.as_slice(), gap.as_slice());
         let yielded = state.yielded.as_ref().map(Field::as_slice);
