@@ -174,11 +174,6 @@ impl Material {
         stress * (1.0 - self.poisson_ratio * self.poisson_ratio) / self.youngs_modulus
     }
 
-    /// Returns $`E / (1 - \nu^2)`$ (a pressure), the contact modulus of the body on a rigid body.
-    fn plane_strain_modulus(&self) -> f64 {
-        self.youngs_modulus / (1.0 - self.poisson_ratio * self.poisson_ratio)
-    }
-
     /// Sets the hardness (a pressure). If an elastic contact exceeds it, the solution has the warning
     /// [`Warning::BeyondHardness`](crate::Warning::BeyondHardness). To limit the pressure, give the problem a
     /// [`Hardness`](crate::normal::Hardness). A Vickers number HV in kgf/mm2 times 9.81 is a hardness in MPa.
@@ -521,28 +516,6 @@ impl ElasticPair {
     #[must_use]
     pub fn contact_modulus(&self) -> f64 {
         2.0 / self.compliances.normal
-    }
-
-    /// Returns a limit of the pressure or of the traction divided by the plane-strain modulus of the stiffer deformable body. Returns
-    /// `None` without a limit, or if the bodies are not homogeneous, so that this modulus does not bound the stress.
-    pub(crate) fn limit_over_modulus(&self, limit: f64) -> Option<f64> {
-        let moduli = self.bodies.iter().map(Material::plane_strain_modulus);
-        let largest = moduli
-            .filter(|modulus| modulus.is_finite())
-            .reduce(f64::max);
-        let largest = largest.filter(|_| self.is_homogeneous() && limit.is_finite());
-        largest.map(|modulus| limit / modulus)
-    }
-
-    /// Returns the larger ratio of the stated hardness of a body to its plane-strain modulus. Returns `None` if no homogeneous body
-    /// has a hardness, or if a kernel represents the bodies.
-    pub(crate) fn hardness_over_modulus(&self) -> Option<f64> {
-        let of_body = |body: &Material| {
-            let is_comparable = body.hardness.is_finite() && !body.is_coated() && !body.is_rigid();
-            is_comparable.then(|| body.hardness / body.plane_strain_modulus())
-        };
-        let ratios = self.bodies.iter().filter_map(of_body);
-        ratios.reduce(f64::max).filter(|_| self.kernel.is_none())
     }
 
     /// Returns the tangential modulus `G*` (a pressure), with `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2`. It is the

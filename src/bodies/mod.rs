@@ -5,3 +5,4 @@ pub(crate) mod coupling;
 pub mod kernel;
 pub mod layers;
 pub(crate) mod material;
+mod strength;
