@@ -33,7 +33,11 @@ pub(super) fn closed_cells(
     }
     let (grid, layout) = (bodies.grid(), bodies.grid_layout());
     let [nx, ny] = grid.size();
-    let extent = (contact as f64 * grid.cell_area()).sqrt();
+    let extent = match grid.whole().size() {
+        [_, 1] => contact as f64 * grid.dx(),
+        [1, _] => contact as f64 * grid.dy(),
+        _ => (contact as f64 * grid.cell_area()).sqrt(),
+    };
     let displacement = largest * extent / bodies.pair().contact_modulus();
     let round_off = ROUND_OFF * reduce::max(&layout, |cell| gap[cell].abs());
     let is_small = |cell: usize| gap[cell].abs() < CLOSED * displacement;

@@ -385,7 +385,7 @@ impl NormalSolution {
         &self.pair
     }
 
-    /// Returns the number of cells whose pressure is at the [`Hardness`](crate::normal::Hardness) of the problem. The
+    /// Returns the number of cells whose pressure is at the [`Hardness`] of the problem. The
     /// gap of these cells is negative.
     #[must_use]
     pub fn yielded_cells(&self) -> usize {

@@ -189,7 +189,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if a field or contact
     ///   belongs to other bodies.
     /// - [`Error::CoupledMaterials`] for [`Coupling::Full`] with bodies of different materials.
-    /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load.
+    /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load, or if a spring is too long.
     /// - [`Error::NotFinite`] if a number of the load is not finite or the limits overflow.
     /// - [`Error::EmptyContact`] if no cell carries pressure.
     /// - [`Error::BeyondFrictionCapacity`] if the force exceeds the friction capacity.

@@ -62,7 +62,7 @@ impl TangentialSolver {
     ///
     /// # Errors
     /// - [`Error::NotFinite`] or [`Error::NotPositive`] if a number of the load is invalid.
-    /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load.
+    /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load, or if a spring is too long.
     /// - [`Error::BeyondFrictionCapacity`] if the force exceeds the friction capacity.
     /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator) for a load along the other axis.
     /// - [`Error::Ranks`] if ranks fail or pass different loads.

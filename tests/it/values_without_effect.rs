@@ -429,6 +429,25 @@ fn gap_under_load_of_periodic_and_adaptive_contacts_gives_warning() {
     assert!(closed_warning(kit::solve(again).warnings()).is_some());
 }
 
+#[test]
+fn gap_under_load_of_line_contact_gives_warning() {
+    for period in [1e-3, 1.0, 1e3] {
+        let grid = Grid::new(64, 1, SIDE / 64.0, period).unwrap();
+        let boundary = Boundary::PeriodicAlongY { datum: 2.0 * SIDE };
+        let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
+        let press = NormalLoad::Force(0.01 * period);
+        let solved = |gap: &Field| kit::solve(NormalProblem::builder(&bodies, gap, press));
+        let contact = solved(&surface::cylinder(grid, RADIUS).unwrap());
+        assert_eq!(closed_warning(contact.warnings()), None);
+        let cells = contact.contact_cells();
+        let expected = Some(Warning::ClosedGap { cells });
+        assert_eq!(closed_warning(solved(contact.gap()).warnings()), expected);
+        // A crowned roller with a flat middle.
+        let crowned = Field::from_fn(grid, |x, _| 0.1 * x.abs().powi(12));
+        assert_eq!(closed_warning(solved(&crowned).warnings()), None);
+    }
+}
+
 /// Flat surfaces with round-off, and surfaces that are far smoother than the displacement.
 #[test]
 fn almost_flat_surfaces_give_no_warning_of_closed_gap() {

@@ -238,7 +238,7 @@ impl History {
     /// # Errors
     /// - [`Error::NotFinite`], [`Error::NegativeOrNotFinite`], [`Error::NotPositive`] or [`Error::ApproachBeyondMeanGap`] if a
     ///   number of the load is invalid.
-    /// - [`Error::UnsupportedByModel`] if the model does not support the load.
+    /// - [`Error::UnsupportedByModel`] if the model does not support the load, or if a spring is too long.
     /// - [`Error::GridTooShort`] if the grid ends less than a rolled step in front of or behind the contact.
     /// - [`Error::BeyondFrictionCapacity`] if the force exceeds the friction capacity.
     /// - [`Error::EmptyContact`] for a tangential force while no cell carries pressure.
