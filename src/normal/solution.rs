@@ -258,7 +258,7 @@ impl NormalSolution {
     }
 
     /// Returns the gap under load `h + u_z - delta` (lengths). The gap is zero in the contact up to the residual, and
-    /// positive outside the contact. It is negative in cells that yield under a [`Hardness`](crate::normal::Hardness).
+    /// positive outside the contact. It is negative in cells that yield under a [`Hardness`].
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap
