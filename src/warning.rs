@@ -223,12 +223,13 @@ pub enum Warning {
         /// The largest change of the gap in a contact cell divided by the largest displacement of both contacts, in tenths.
         tenths: usize,
     },
-    /// The gap before loading resembles the [gap under load](crate::NormalSolution::gap) of an earlier solution. The bodies would be
-    /// deformed twice. At least a fifth of the contact cells have a gap below 1e-5 of the displacement but above round-off. The gap of
-    /// most of their other neighbours is more than 100 times larger, and less than a tenth of the displacement. On grids that are periodic along
-    /// both axes, a gap with only such cells has the warning too.
+    /// The gap before loading resembles the [gap under load](crate::NormalSolution::gap) of an earlier solution. A solve on this gap
+    /// deforms the bodies twice. At least a fifth of the contact cells are closed: their gap is above round-off, below 1e-5 of the
+    /// displacement, and varies like the residuals of a solve. The gap of most neighbours that are not closed is more than 100 times
+    /// larger, and less than a tenth of the displacement. On grids that are periodic along both axes, all cells can be closed.
     ///
-    /// The gap under load after wear, a shift of its datum, or a solve with a tolerance above about 1e-5 is not recognised.
+    /// The gap under load after wear, a shift of its datum, clipping at zero, or a solve with a tolerance above about 1e-5 is not
+    /// recognised.
     ClosedGap {
         /// Number of these cells.
         cells: usize,

@@ -11,6 +11,9 @@ const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 const CLOSED_PART: f64 = 0.2;
 /// Least ratio of the gap next to a closed cell to the gap of this cell. Gaps of smooth surfaces grow more slowly.
 const STEP: f64 = 100.0;
+/// Least second difference of the gap along a row or column of closed cells, relative to the gap. Residuals of a solve are rougher
+/// than this value, and small wear is smoother.
+const ROUGH: f64 = 0.1;
 /// Largest gap next to a closed cell, relative to the displacement. The gap at the edge of a punch is larger.
 const NEAR: f64 = 0.1;
 
@@ -18,9 +21,9 @@ const NEAR: f64 = 0.1;
 /// returns zero. `largest` is the largest pressure. `cells` are the number of contact cells, and an upper bound of the closed ones
 /// for a displacement up to the size of the grid.
 ///
-/// The gap under load is almost zero in the contact. Next to the contact it is much larger, but still small compared with the
-/// displacement. Almost flat surfaces do not have both properties, except if all cells are closed on a grid that is periodic along
-/// both axes. Neighbours on different ranks do not count.
+/// The gap under load is almost zero in the contact, where it varies like the residuals of a solve. Next to the contact it is much
+/// larger, but still small compared with the displacement. Almost flat surfaces do not have all these properties. On a grid that is
+/// periodic along both axes, all cells can be closed. Neighbours on different ranks do not count.
 pub(super) fn closed_cells(
     bodies: &HalfSpace,
     (gap, pressure): (&[f64], &[f64]),
@@ -42,8 +45,8 @@ pub(super) fn closed_cells(
     let round_off = ROUND_OFF * reduce::max(&layout, |cell| gap[cell].abs());
     let is_small = |cell: usize| gap[cell].abs() < CLOSED * displacement;
     let is_closed = |cell: usize| gap[cell].abs() > round_off && is_small(cell);
-    let [closed, open, edges] = reduce::sum(&layout, |cell| {
-        let mut counts = [0, 0, 0];
+    let [closed, open, edges, triples, rough] = reduce::sum(&layout, |cell| {
+        let mut counts = [0; 5];
         if pressure[cell] <= 0.0 || !is_closed(cell) {
             return counts;
         }
@@ -62,10 +65,19 @@ pub(super) fn closed_cells(
                 counts[2] += usize::from(is_edge);
             }
         }
+        let [left, right, below, above] = neighbours;
+        for (before, after) in [left.zip(right), below.zip(above)].into_iter().flatten() {
+            if is_closed(before) && is_closed(after) {
+                let second = (gap[before] + gap[after] - 2.0 * gap[cell]).abs();
+                counts[3] += 1;
+                counts[4] += usize::from(second > ROUGH * gap[cell].abs());
+            }
+        }
         counts
     });
     let is_whole = open == 0 && bodies.boundary().repeats() == [true; 2];
-    if is_large(closed) && (is_whole || 2 * edges > open) {
+    let is_rough = triples == 0 || 2 * rough > triples;
+    if is_large(closed) && is_rough && (is_whole || 2 * edges > open) {
         closed
     } else {
         0

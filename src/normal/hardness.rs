@@ -171,7 +171,7 @@ impl Hardness {
         reduce::sum(&bodies.grid_layout(), |i| usize::from(is_reached(i)))
     }
 
-    /// Returns the smallest limit of the cells in contact that these cells contain, or infinity without contact.
+    /// Returns the uniform limit, or the smallest limit of the local cells in contact. Returns infinity if no local cell is in contact.
     pub(crate) fn least_limit(&self, pressure: &[f64]) -> f64 {
         match self.limits() {
             PerCell::Uniform(limit) => limit,

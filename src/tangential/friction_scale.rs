@@ -6,7 +6,11 @@ use crate::warning::Warning;
 
 /// Coefficient and cap of the friction that are not common, stored as integers for warnings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default)
+)]
 pub(crate) struct FrictionScale {
     /// Largest coefficient of friction that is not common, in tenths.
     coefficient_tenths: Option<usize>,

@@ -17,7 +17,7 @@ pub(crate) const THICKEST_LAYER: usize = 10;
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
-/// Largest limit of the pressure or of the traction without a warning, in contact moduli.
+/// Largest limit of the pressure or of the traction without a warning, in plane-strain moduli.
 const LARGEST_LIMIT: f64 = 1.0;
 
 /// Largest component of a bulk strain without a warning, in tenths of a per cent.
@@ -175,14 +175,14 @@ impl Warning {
         (per_mille > LARGEST_PRESSURE).then_some(Self::PressureBeyondModulus { per_mille })
     }
 
-    /// Returns the warning about a low hardness at the pressure of a contact, or about a hardness above the contact modulus.
+    /// Returns the warning about a low hardness at the pressure of a contact, or about a high hardness.
     pub(crate) fn of_hardness(parts: Option<usize>, per_mille: Option<usize>) -> Option<Self> {
         let low = parts.map(|parts| Self::LowHardness { parts });
         low.or_else(|| per_mille.map(|per_mille| Self::HardnessBeyondModulus { per_mille }))
     }
 
-    /// Returns a limit of the pressure or of the traction over the contact modulus in thousandths, or `None` if the limit is at
-    /// most this modulus.
+    /// Returns the ratio of a limit to the plane-strain modulus in thousandths, or `None` if the limit is at most this
+    /// modulus.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -99,13 +99,13 @@ impl std::fmt::Display for Warning {
             ),
             Self::ApproachBeyondGrid { tenths } => write!(
                 formatter,
-                "the approach is {}.{} times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
+                "the approach is {}.{} times the side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
                 tenths / 10,
                 tenths % 10
             ),
             Self::ShiftBeyondGrid { tenths } => write!(
                 formatter,
-                "the shift or relative displacement of the step or cycle is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid, or ignore this for a flat counterbody",
+                "the shift or relative displacement of the step or cycle is {}.{} times the side of the grid, expected less than 1: check the units of displacements and grid, or ignore this for a flat counterbody",
                 tenths / 10,
                 tenths % 10
             ),
@@ -160,7 +160,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::ClosedGap { cells } => write!(
                 formatter,
-                "the gap before loading is almost closed in {} and rises around them, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces",
+                "the gap before loading is almost closed in {}, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces",
                 counted(*cells, "contact cell")
             ),
             Self::LargeContactRadius { per_mille } => write!(
@@ -213,7 +213,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::CoatingBeyondGrid { sides } => write!(
                 formatter,
-                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has almost no effect on the contact: check the units of thickness and grid"
+                "a layer is {sides} times as thick as the side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has almost no effect on the contact: check the units of thickness and grid"
             ),
             Self::CoatingBelowCell { parts } => write!(
                 formatter,

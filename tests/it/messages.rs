@@ -851,7 +851,7 @@ fn approach_larger_than_grid_gives_warning() {
     assert_eq!(tenths, 15);
     assert_eq!(
         text,
-        "the approach is 1.5 times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load"
+        "the approach is 1.5 times the side of the grid, expected less than 1: check the units of gap, grid, modulus and load"
     );
 }
 

@@ -165,7 +165,7 @@ pub(crate) fn started(bodies: &HalfSpace, is_rich: bool) -> History {
         builder.build().unwrap()
     };
     run(&mut history, 0..5);
-    let worn = history.unloaded_gap().map(|gap| gap + 1e-4);
+    let worn = history.gap_as_set().unwrap().map(|gap| gap + 1e-4);
     history.set_gap(&worn).unwrap();
     history
 }

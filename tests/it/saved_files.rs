@@ -120,11 +120,8 @@ const KINDS: [Kind; 6] = [
             // The file stores the worn gap in addition to the gap of the pressure.
             let depth = 1e-3;
             let worn = Field::from_fn(grid, |x, y| depth * (1.0 - 0.1 * (x * x + y * y)));
-            let gap = history
-                .unloaded_gap()
-                .as_slice()
-                .iter()
-                .zip(worn.as_slice());
+            let gap = history.gap_as_set()?;
+            let gap = gap.as_slice().iter().zip(worn.as_slice());
             let gap = gap.map(|(gap, depth)| gap + depth).collect();
             history.set_gap(&Field::from_vec(grid, gap)?)?;
             Ok(history)

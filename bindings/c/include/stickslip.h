@@ -314,10 +314,10 @@
 // Warning: a layer is too thin to have an effect on the cells.
 #define STICKSLIP_WARNING_COATING_BELOW_CELL 19
 
-// Warning: the shift or relative displacement of a step, or the range of the shift of a cycle, exceeds the longest side of the grid.
+// Warning: the shift or relative displacement of a step, or the range of the shift over steps, exceeds the side of the grid.
 #define STICKSLIP_WARNING_SHIFT_BEYOND_GRID 20
 
-// Warning: the twist of a step, or the range of the twist of a cycle, exceeds 0.2 rad.
+// Warning: the twist of a step, or the range of the twist over steps, exceeds 0.2 rad.
 #define STICKSLIP_WARNING_LARGE_TWIST 21
 
 // Warning: the creepage of rolling bodies is 0.1 or more.
@@ -362,10 +362,10 @@
 // Warning: the scalar model with one-way coupling neglects large tractions across its axis.
 #define STICKSLIP_WARNING_NEGLECTED_TRACTION 35
 
-// Warning: the hardness exceeds the contact modulus and has no effect.
+// Warning: the hardness exceeds the modulus of the body and has no effect.
 #define STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS 36
 
-// Warning: the largest shear stress of the friction exceeds the contact modulus and has no effect.
+// Warning: the largest shear stress of the friction exceeds the modulus of the bodies.
 #define STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS 37
 
 // Warning: the gap before loading resembles the gap under load of an earlier solution.

@@ -149,9 +149,9 @@ pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
 pub const STICKSLIP_WARNING_COATING_BEYOND_GRID: i32 = 18;
 /// Warning: a layer is too thin to have an effect on the cells.
 pub const STICKSLIP_WARNING_COATING_BELOW_CELL: i32 = 19;
-/// Warning: the shift or relative displacement of a step, or the range of the shift of a cycle, exceeds the longest side of the grid.
+/// Warning: the shift or relative displacement of a step, or the range of the shift over steps, exceeds the side of the grid.
 pub const STICKSLIP_WARNING_SHIFT_BEYOND_GRID: i32 = 20;
-/// Warning: the twist of a step, or the range of the twist of a cycle, exceeds 0.2 rad.
+/// Warning: the twist of a step, or the range of the twist over steps, exceeds 0.2 rad.
 pub const STICKSLIP_WARNING_LARGE_TWIST: i32 = 21;
 /// Warning: the creepage of rolling bodies is 0.1 or more.
 pub const STICKSLIP_WARNING_LARGE_CREEPAGE: i32 = 22;
@@ -181,9 +181,9 @@ pub const STICKSLIP_WARNING_PERIODIC_SEAM: i32 = 33;
 pub const STICKSLIP_WARNING_LARGE_BULK_STRAIN: i32 = 34;
 /// Warning: the scalar model with one-way coupling neglects large tractions across its axis.
 pub const STICKSLIP_WARNING_NEGLECTED_TRACTION: i32 = 35;
-/// Warning: the hardness exceeds the contact modulus and has no effect.
+/// Warning: the hardness exceeds the modulus of the body and has no effect.
 pub const STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS: i32 = 36;
-/// Warning: the largest shear stress of the friction exceeds the contact modulus and has no effect.
+/// Warning: the largest shear stress of the friction exceeds the modulus of the bodies.
 pub const STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS: i32 = 37;
 /// Warning: the gap before loading resembles the gap under load of an earlier solution.
 pub const STICKSLIP_WARNING_CLOSED_GAP: i32 = 38;

@@ -29,7 +29,7 @@ def largest_energy():
 def test_negligible_wear_gives_warning(law):
     [(kind, sentence)], result = issued(law)
     assert kind == "negligible_wear" and result.depth.max() <= 1e-10 * result.history.approach[-1]
-    assert sentence.startswith(f"the largest worn depth after 30 cycles is {result.depth.max():.3g} at an approach of ")
+    assert sentence.startswith(f"the largest worn depth after 30 cycles is {result.depth.max():.3g} at a displacement of ")
     assert sentence.endswith("check the unit of the coefficient of wear, and of a threshold")
     # Bodies that stick dissipate nothing.
     assert "negligible_wear" not in dict(issued(law, amplitude=1e-12)[0])
@@ -70,8 +70,11 @@ def test_limit_far_beyond_approach_gives_warning(name):
     approach = history().approach
     [(kind, sentence)], _ = issued(**{name: 0.5})
     assert kind == f"ineffective_{name}"
-    assert sentence == f"{name} is 0.5 at an approach of {approach:.3g}, so that it hardly limits the wear: check its unit, or omit it"
-    for limit in (999.0 * approach, float("inf") if name == "max_depth" else None):
+    start = f"{name} is 0.5 at a displacement of "
+    assert sentence.startswith(start) and sentence.endswith(", so that it hardly limits the wear: check its unit, or omit it")
+    displacement = float(sentence.removeprefix(start).split(",")[0])
+    assert 0.99 * approach < displacement <= approach
+    for limit in (990.0 * approach, float("inf") if name == "max_depth" else None):
         assert issued(**{name: limit})[0] == []
 
 

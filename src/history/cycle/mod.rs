@@ -83,6 +83,7 @@ checked_struct! {
         stick_ratios: [f64; 2],
         regime: Regime,
         pub(super) remarks: StepDiagnostics,
+        #[cfg_attr(feature = "serde", serde(default))]
         motion_range: MotionRange,
         /// State after the last step in the cycle, or the state at its start.
         last: StateMark,

@@ -34,14 +34,14 @@ impl MotionRange {
         self.ends = None;
     }
 
-    /// Returns the range of the shift over the side of the grid and the range of the twist, in tenths. Small ranges are `None`.
+    /// Returns the larger range of the shift along x and y over the side of the grid, and the range of the twist, in tenths. Small ranges are `None`.
     pub(in crate::history) fn tenths(&self, grid: Grid) -> [Option<usize>; 2] {
         let Some([least, largest]) = self.ends else {
             return [None; 2];
         };
         let [x, y, twist] = std::array::from_fn(|i| largest[i] - least[i]);
         [
-            Warning::shift_beyond(grid, [x, y]),
+            Warning::shift_beyond(grid, [x.max(y), 0.0]),
             Warning::twist_beyond(twist),
         ]
     }

@@ -26,10 +26,12 @@ pub(in crate::history) fn update_permanent_set(state: &mut State) {
 }
 
 /// Largest mean distance of a new gap from the gap with the permanent set that counts as equal, relative to the set.
-const EQUAL: f64 = 0.1;
+const EQUAL: f64 = 0.05;
+/// Least number of yielded cells for the comparison. The depth of wear can equal the set of fewer cells.
+const LEAST_CELLS: usize = 10;
 
-/// Returns an error if a new gap already contains the accumulated plastic depth, which [`add_yielded`] would add again. The function
-/// is collective.
+/// Returns an error if a new gap already contains the accumulated plastic depth, which [`add_yielded`] would add again. Changes of up
+/// to a twentieth of this depth do not matter. The function is collective.
 pub(in crate::history) fn check_without_set(
     state: &State,
     layout: &Layout,
@@ -39,14 +41,14 @@ pub(in crate::history) fn check_without_set(
         return Ok(());
     };
     let (new, present) = (gap.as_slice(), state.gap.as_slice());
-    let [set, distance] = reduce::sum(layout, |cell| {
+    let ([set, distance], cells) = reduce::sum(layout, |cell| {
         if yielded[cell] > 0.0 {
-            [yielded[cell], (new[cell] - present[cell]).abs()]
+            ([yielded[cell], (new[cell] - present[cell]).abs()], 1)
         } else {
-            [0.0; 2]
+            ([0.0; 2], 0)
         }
     });
-    if distance < EQUAL * set {
+    if cells >= LEAST_CELLS && distance < EQUAL * set {
         return Err(Error::UnsupportedByModel {
             model: "a history with a permanent set",
             quantity: "a gap that already contains the set (largest depth)",

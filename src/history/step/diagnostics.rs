@@ -122,7 +122,9 @@ impl StepDiagnostics {
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let creepage = self.creepage_per_cent;
         let creepage = creepage.map(|per_cent| Warning::LargeCreepage { per_cent });
-        let high = self.hardness_per_mille.filter(|_| !self.has_yielded);
+        let high = self
+            .hardness_per_mille
+            .filter(|_| !self.has_yielded && self.overloaded_cells == 0);
         let hardness = Warning::of_hardness(self.hardness_parts, high);
         let gap_change = self.gap_change_tenths;
         let gap_change = gap_change.map(|tenths| Warning::LargeGapChange { tenths });

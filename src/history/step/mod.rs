@@ -337,8 +337,8 @@ impl History {
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
     /// - [`Error::Sample`] if the gap is not finite.
-    /// - [`Error::UnsupportedByModel`] if the history has a permanent set and the gap already contains it, as
-    ///   [`unloaded_gap`](Self::unloaded_gap) does.
+    /// - [`Error::UnsupportedByModel`] if the history has a permanent set of ten cells or more, and the gap already contains it, as
+    ///   [`unloaded_gap`](Self::unloaded_gap) does. Other changes of up to a twentieth of the set do not matter.
     /// - [`Error::GapUnderLoad`] if the gap is the [gap under load](crate::NormalSolution::gap) of the present contact.
     /// - [`Error::Ranks`] if ranks fail.
     ///

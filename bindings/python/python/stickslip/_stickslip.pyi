@@ -3642,11 +3642,13 @@ class History:
         Sets the gap of later steps (lengths), for example after wear.
 
         The gap is given without the yielded depth, which the history adds. To change the present gap, start from
-        :attr:`gap_as_set`. With a permanent set, a gap that contains the yielded depth would add it twice.
+        :attr:`gap_as_set`. With a permanent set, a gap that already contains the yielded depth is rejected.
 
         Raises
         ------
         GridMismatch, Shape, Sample
+        UnsupportedByModel
+            If the history has a permanent set of ten cells or more and the gap already contains it.
         GapUnderLoad
             If the gap is the gap under load of the present contact.
         ValueError

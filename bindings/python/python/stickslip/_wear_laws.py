@@ -59,8 +59,8 @@ class JumpLaw(Protocol):
         """Returns the depth that the given number of cycles like ``cycle`` removes in each cell.
 
         The depth must not decrease with the number of cycles. :func:`run` calls the method with several numbers to find the
-        longest jump. It issues a :class:`~stickslip.errors.ContactWarning` if both halves of the remaining cycles remove another depth
-        than all of them together. A law that ignores ``dissipation`` has this warning if it is not proportional to the cycles.
+        longest jump. It issues a :class:`~stickslip.errors.ContactWarning` if the sum of the depths of both halves of the
+        remaining cycles differs from the depth of all of them. A law that ignores ``dissipation`` has this warning if it is not proportional to the cycles.
 
         Parameters
         ----------
@@ -119,9 +119,10 @@ class ThresholdEnergyLaw:
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of a jump."""
+    """Limits of a jump. ``cycles`` is limited by ``largest_jump``, and ``cycles_left`` is the rest of the run."""
 
     cycles: int
+    cycles_left: int
     largest_depth: float | None
     max_depth: float | None
     max_residual: float
@@ -193,10 +194,10 @@ class JumpWear:
             deepest = limits.max_depth
             most = 1 + _last(lambda cycles: bool((depth + removed(cycles)).max() < deepest), 0, most)
         cycles = _last(lambda cycles: allowed(cycles) >= cycles, 1, most + 1)
-        if self.is_first and limits.cycles > 1:
-            half = limits.cycles // 2
-            after_half = removed(limits.cycles - half, dissipation + half * np.asarray(cycle.dissipation))
-            warn(_remarks_on_halves(removed(limits.cycles), removed(half) + after_half, limits.cycles))
+        if self.is_first and limits.cycles_left > 1:
+            left, half = limits.cycles_left, limits.cycles_left // 2
+            after_half = removed(left - half, dissipation + half * np.asarray(cycle.dissipation))
+            warn(_remarks_on_halves(removed(left), removed(half) + after_half, left))
             self.is_first = False
         return cycles, removed(cycles)
 
@@ -221,15 +222,16 @@ def _no_whole_cycle(cycles: float, of_cycle: NDArray[Any], largest_depth: float 
 
 
 def _remarks_on_halves(whole: NDArray[Any], halves: NDArray[Any], cycles: int) -> list[tuple[str, str]]:
-    """Returns the remark that a law removes another depth in all remaining cycles than in both halves of them."""
-    most, difference = whole.max(), np.abs(whole - halves).max()
-    if difference <= LARGEST_DIFFERENCE * most:
+    """Returns the remark that the sum of the depths of both halves differs from the depth of all remaining cycles."""
+    with np.errstate(invalid="ignore"):
+        most, difference = whole.max(), np.abs(whole - halves).max()
+    if not np.isfinite(difference) or difference <= LARGEST_DIFFERENCE * most:
         return []
     return [
         (
             "inconsistent_law",
-            f"the wear law removes up to {most:.3g} in {cycles} equal cycles, but a depth that differs by {difference:.3g} in both "
-            "halves of them: take the earlier energy from the argument dissipation of depth_of_jump",
+            f"the wear law removes up to {most:.3g} in {cycles} equal cycles, and the sum of the depths of both halves differs by "
+            f"{difference:.3g}: take the earlier energy from the argument dissipation of depth_of_jump",
         )
     ]
 

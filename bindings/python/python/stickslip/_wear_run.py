@@ -26,7 +26,7 @@ from ._stickslip import Cycle, Field, HalfSpace, History, State
 from ._tables import to_frame
 from ._wear_resume import check_contact, check_resume
 from ._wear_laws import CycleWear, JumpLaw, JumpWear, Limits, digest, law_in_words
-from ._wear_remarks import remarks_on_limits, remarks_on_wear
+from ._wear_remarks import largest_displacement, remarks_on_limits, remarks_on_wear
 from .errors import ArgumentRange, File, Format, StickslipError
 
 if TYPE_CHECKING:
@@ -453,7 +453,7 @@ def run(
     snapshot = taken()
     with cycle_bar(cycles, done, progress is True) as bar:
         try:
-            warn(remarks_on_limits(history.approach, largest_depth=largest_depth, max_depth=max_depth))
+            warn(remarks_on_limits(largest_displacement(history), largest_depth=largest_depth, max_depth=max_depth))
             while True:
                 computed = _settle(history, loop, cycle, settling, max_residual)
                 row = _row(history, cycle, done, computed, depth, total_energy)
@@ -465,7 +465,7 @@ def run(
                     warn(remarks_on_wear(law, history, snapshot))
                     return WearResult(ending, cycle, snapshot, tuple(snapshots))
                 limit = largest_depth(history) if callable(largest_depth) else largest_depth
-                limits = Limits(min(cycles - done, largest_jump or cycles), limit, max_depth, max_residual)
+                limits = Limits(min(cycles - done, largest_jump or cycles), cycles - done, limit, max_depth, max_residual)
                 jump, removed = wear.jump(history, cycle, depth, dissipation, limits)
                 depth = depth + removed
                 dissipation = dissipation + jump * np.asarray(cycle.dissipation)

@@ -27,7 +27,7 @@ class ContactWarning(UserWarning):
     exception, the step is therefore taken: do not repeat it.
     """
 
-    kind: str
+    kind: str = ""
     """Name of the kind, such as "contact_at_edge", equal to ``kind`` of the warning in ``solution.warnings``."""
 
 
