@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use crate::error::{ROLL_UNDER_CAP, SLIDE_UNDER_CAP};
 use crate::report::{Report, Status};
 
 /// Returns the name of a file as a prefix for the description of a problem in the file.
@@ -64,7 +65,7 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
         "reaches"
     };
     // Without friction, the units do not cause the error. A low cap is a more likely cause.
-    let is_capped = remedy.starts_with("check the unit");
+    let is_capped = [SLIDE_UNDER_CAP, ROLL_UNDER_CAP].contains(&remedy);
     let units = if limit > 0.0 && force > LARGEST_RATIO * limit && !is_capped {
         ", or check the units of force and pressure"
     } else {

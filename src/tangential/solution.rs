@@ -407,8 +407,8 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large bulk strain, a large twist, a large coefficient of friction, a low or high cap of the friction, neglected tractions and a low or
-    /// high prescribed pressure.
+    /// Returns the warnings about values of the load: the shift, the relative displacement and its bulk strain, and the twist. The
+    /// warnings about the friction, neglected tractions and a prescribed pressure follow.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());

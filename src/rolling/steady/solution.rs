@@ -296,8 +296,8 @@ impl RollingSolution {
         warnings
     }
 
-    /// Returns the warnings about a neglected lift, a large creepage or spin, a large coefficient of friction or a low or high
-    /// cap of the friction, and a low or high prescribed pressure.
+    /// Returns the warnings about a neglected lift, the creepage and the spin, the coefficient of friction, its cap, and a
+    /// prescribed pressure.
     pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 5] {
         let lift = self.neglected_lift;
         let [friction, cap] = self.friction_scale.warnings();
