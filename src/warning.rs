@@ -234,6 +234,14 @@ pub enum Warning {
         /// Number of these cells.
         cells: usize,
     },
+    /// The gap of a [`History`](crate::History) decreased in cells that have slipped, and increased in no cell. Wear increases the
+    /// gap, so the depth was probably subtracted from the gap instead of added to it. A layer of debris or a thermal expansion that
+    /// is confined to slipped cells also has this warning. The return to an earlier gap by
+    /// [`set_gap`](crate::History::set_gap) has it too; [`set_state`](crate::History::set_state) does not.
+    NegativeWear {
+        /// Number of cells with a smaller gap.
+        cells: usize,
+    },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///

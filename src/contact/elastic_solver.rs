@@ -78,8 +78,27 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
+        self.minimise_with(
+            problem,
+            problem.uniform_compliance(),
+            (x, known),
+            settings,
+            observer,
+        )
+    }
+
+    /// Minimises as [`minimise`](Self::minimise), with these compliances of uniform unknowns. They are `None` for all components if
+    /// the constraint admits only zero, because the solution is then unique for any total.
+    pub(crate) fn minimise_with(
+        &mut self,
+        problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
+        uniform_compliance: [Option<f64>; N],
+        (x, known): ([&mut [f64]; N], InitialGuess<N>),
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
         let operator = &self.compliance.operator;
-        let bound = operator.lower_bound_of(problem.uniform_compliance())?;
+        let bound = operator.lower_bound_of(uniform_compliance)?;
         let workspace = self.workspace.take(|| problem.workspace())?;
         let posed = problem.posed().bounded(bound);
         let outcome = cgm::minimise_from(&posed, settings, x, known, workspace, observer);

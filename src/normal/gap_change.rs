@@ -14,6 +14,11 @@ use crate::report::Status;
 const NEGLIGIBLE: f64 = 1e-3;
 /// Number of cells outside the contact for each of them whose gap must be unchanged in wear.
 const OUTSIDE_PER_UNCHANGED: usize = 10;
+/// Least fraction of the cells with a smaller gap that have slipped in wear of the wrong sign. The other cells can result from
+/// smoothing.
+const SLIPPED: f64 = 0.9;
+/// Largest change of the gap that counts as round-off, relative to the largest gap.
+const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
 /// Gap before loading, pressure and approach of a contact.
 #[derive(Clone, Copy)]
@@ -79,8 +84,7 @@ impl PressedGap<'_> {
         let layout = self.bodies.grid_layout();
         let shift = self.shift_to(gap);
         let change = |i: usize| gap.as_slice()[i] - self.gap.as_slice()[i] - shift;
-        let rise = reduce::max(&layout, |i| change(i).max(0.0));
-        let fall = reduce::max(&layout, |i| (-change(i)).max(0.0));
+        let [rise, fall] = self.rise_and_fall(gap, shift);
         let least = NEGLIGIBLE * rise.max(fall);
         let [outside, unchanged] = reduce::sum(&layout, |i| {
             let is_outside = self.pressure[i] <= 0.0;
@@ -89,6 +93,36 @@ impl PressedGap<'_> {
         });
         let has_one_sign = rise.min(fall) <= least;
         outside == 0 || has_one_sign && OUTSIDE_PER_UNCHANGED * unchanged >= outside
+    }
+
+    /// Returns the number of cells whose gap decreases, if the change to another gap resembles wear of the wrong sign. Otherwise
+    /// returns zero. Such a change increases the gap in no cell, and decreases it in cells that have slipped. `slip` is the length
+    /// of the slip path of each cell.
+    pub(crate) fn negative_wear(&self, gap: &Field, slip: &Field) -> usize {
+        let layout = self.bodies.grid_layout();
+        let shift = self.shift_to(gap);
+        let [rise, fall] = self.rise_and_fall(gap, shift);
+        let round_off = ROUND_OFF * reduce::max(&layout, |i| gap.as_slice()[i].abs());
+        if rise > NEGLIGIBLE * fall || fall <= round_off {
+            return 0;
+        }
+        let change = |i: usize| gap.as_slice()[i] - self.gap.as_slice()[i] - shift;
+        let [cells, slipped] = reduce::sum(&layout, |i| {
+            let decreases = change(i) < -NEGLIGIBLE * fall;
+            [decreases, decreases && slip.as_slice()[i] > 0.0].map(usize::from)
+        });
+        if slipped as f64 >= SLIPPED * cells as f64 {
+            cells
+        } else {
+            0
+        }
+    }
+
+    /// Returns the largest increase and the largest decrease of the gap to another gap, apart from a uniform shift.
+    fn rise_and_fall(&self, gap: &Field, shift: f64) -> [f64; 2] {
+        let layout = self.bodies.grid_layout();
+        let change = |i: usize| gap.as_slice()[i] - self.gap.as_slice()[i] - shift;
+        [1.0, -1.0].map(|sign: f64| reduce::max(&layout, |i| (sign * change(i)).max(0.0)))
     }
 
     /// Returns the change of the gap of the first cell outside the contact, or the mean change of a closed contact.

@@ -217,6 +217,7 @@ impl TangentialIncrement {
             own: self.offsets.entry.cells(),
             linear: &self.linear,
             totals,
+            is_frictionless: limits.sum <= 0.0,
             known: None,
             unit: limits.unit(),
         };

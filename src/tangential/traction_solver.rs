@@ -44,6 +44,8 @@ pub(super) struct TangentialRequest<'a> {
     pub(super) own: CellCompliance<'a>,
     pub(super) linear: &'a TangentialVector,
     pub(super) totals: [Total; 2],
+    /// Whether the limits of all cells are zero.
+    pub(super) is_frictionless: bool,
     /// Multipliers at which the start was a solution, or `None` if the start was not a solution.
     pub(super) known: Option<[f64; 2]>,
     /// Unit of the tractions if their squares would otherwise overflow or underflow. The operator is linear, so
@@ -250,7 +252,12 @@ where
             rescale(traction, 1.0 / unit);
         }
         let from = (of_mut(self.axes, traction), known);
-        let outcome = self.solver.minimise(&problem, from, settings, observer);
+        let compliance = if task.is_frictionless {
+            [None; N]
+        } else {
+            problem.uniform_compliance()
+        };
+        let outcome = (self.solver).minimise_with(&problem, compliance, from, settings, observer);
         if task.unit.is_some() {
             rescale(traction, unit);
             self.solver.rescale(unit);

@@ -7,7 +7,7 @@ variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
     ApproachBeyondGrid ShiftBeyondGrid LargeBulkStrain LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
-    HardnessBeyondModulus ShearStressBeyondModulus ClosedGap
+    HardnessBeyondModulus ShearStressBeyondModulus ClosedGap NegativeWear
     LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift NeglectedTraction CoatingBeyondGrid
@@ -178,6 +178,10 @@ fn every_warning_has_its_text() {
         (
             Warning::ClosedGap { cells: 480 },
             "the gap before loading is almost closed in 480 contact cells, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces",
+        ),
+        (
+            Warning::NegativeWear { cells: 812 },
+            "the gap decreased in 812 cells that have slipped, and increased in none: wear increases the gap, so add its depth, as in gap + depth",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },

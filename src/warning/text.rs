@@ -163,6 +163,11 @@ impl std::fmt::Display for Warning {
                 "the gap before loading is almost closed in {}, like the gap under load of an earlier solution: pass the gap of the unloaded surfaces",
                 counted(*cells, "contact cell")
             ),
+            Self::NegativeWear { cells } => write!(
+                formatter,
+                "the gap decreased in {} that have slipped, and increased in none: wear increases the gap, so add its depth, as in gap + depth",
+                counted(*cells, "cell")
+            ),
             Self::LargeContactRadius { per_mille } => write!(
                 formatter,
                 "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",

@@ -186,6 +186,70 @@ fn wear_before_several_steps_has_warning_of_last_step() {
     }
 }
 
+/// Returns the number of cells in the warning about wear of the wrong sign, or zero.
+fn negative(history: &History) -> usize {
+    let warnings = history.last_step().unwrap().warnings();
+    let cells = warnings.into_iter().find_map(|warning| match warning {
+        Warning::NegativeWear { cells } => Some(cells),
+        _ => None,
+    });
+    cells.unwrap_or(0)
+}
+
+/// Wear that is subtracted from the gap reduces it in slipped cells only. Other reductions of the gap have no warning.
+#[test]
+fn negative_wear_has_warning() {
+    let (bodies, ball, load) = ball();
+    let mut history = History::builder(&bodies, &ball, kit::coulomb(0.3))
+        .build()
+        .unwrap();
+    let press = LoadStep::hold().normal(load);
+    history.step(&press).unwrap();
+    // Growth without slip has no warning.
+    let contact = history.pressure().clone();
+    let grown = worn(&ball, -1e-4, |i| contact.as_slice()[i] > 0.0);
+    let mut pressed = history.clone();
+    pressed.set_gap(&grown).unwrap();
+    pressed.step(&press).unwrap();
+    assert_eq!(negative(&pressed), 0);
+
+    history.step(&LoadStep::force([0.1, 0.0])).unwrap();
+    let slip = history.accumulated_slip().clone();
+    let slips = |i: usize| slip.as_slice()[i] > 0.0;
+    let slipped = (0..slip.as_slice().len()).filter(|i| slips(*i)).count();
+    let sticks = |i: usize| contact.as_slice()[i] > 0.0 && !slips(i);
+    assert!(slipped > 20 && (0..contact.as_slice().len()).any(sticks));
+    let wear = |depth: f64| worn(&ball, depth, slips);
+    let cases = [
+        (wear(1e-4), 0),
+        (wear(-1e-4), slipped),
+        (wear(-1e-9), slipped),
+        (wear(-1e-4).map(|gap| gap + 0.3), slipped),
+        // A grown centre, a new datum, another surface, and a change of both signs.
+        (worn(&ball, -1e-4, sticks), 0),
+        (worn(&ball, -1e-4, |_| true), 0),
+        (kit::sphere(bodies.grid(), 1.9), 0),
+        (worn(&wear(-1e-4), 1e-4, sticks), 0),
+    ];
+    for (gap, cells) in cases {
+        let mut next = history.clone();
+        next.set_gap(&gap).unwrap();
+        let step = LoadStep::force([-0.1, 0.0]).normal(load);
+        next.step(&step).unwrap();
+        assert_eq!(negative(&next), cells);
+        // The next step compares with the gap that it has.
+        next.step(&LoadStep::force([0.1, 0.0]).normal(load))
+            .unwrap();
+        assert_eq!(negative(&next), 0);
+        // Several steps keep the warning of the first.
+        let mut several = history.clone();
+        several.set_gap(&gap).unwrap();
+        let mut steps = AdaptiveSteps::new(&several, 1e-2).unwrap();
+        steps.step(&mut several, &step).unwrap();
+        assert_eq!(negative(&several), cells);
+    }
+}
+
 /// The displacement of a line depends on the arbitrary datum. The warning does not.
 #[test]
 fn wear_of_line_contact_does_not_depend_on_datum() {

@@ -318,7 +318,8 @@ module stickslip_bindings
     ! Prescribes the shift, the rigid motion of body 2 relative to body 1 far from the contact since the unloaded state (a
     ! length): the relative rigid tangential displacement.
     integer(c_int32_t), parameter, public :: STICKSLIP_SHIFT = 3
-    ! Prescribes a spring that drags body 2: the force is stiffness * (value - shift).
+    ! Prescribes a spring that drags body 2: the force is stiffness * (value - shift). The stretch, value - shift, must not exceed a
+    ! million sides of the grid.
     integer(c_int32_t), parameter, public :: STICKSLIP_SPRING = 4
     ! Model with the traction along the load only (default).
     integer(c_int32_t), parameter, public :: STICKSLIP_SCALAR = 0
@@ -429,6 +430,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS = 37
     ! Warning: the gap before loading resembles the gap under load of an earlier solution.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CLOSED_GAP = 38
+    ! Warning: the gap decreased in cells that have slipped, and increased in none.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGATIVE_WEAR = 39
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

@@ -206,7 +206,8 @@
 // length): the relative rigid tangential displacement.
 #define STICKSLIP_SHIFT 3
 
-// Prescribes a spring that drags body 2: the force is stiffness * (value - shift).
+// Prescribes a spring that drags body 2: the force is stiffness * (value - shift). The stretch, value - shift, must not exceed a
+// million sides of the grid.
 #define STICKSLIP_SPRING 4
 
 // Model with the traction along the load only (default).
@@ -370,6 +371,9 @@
 
 // Warning: the gap before loading resembles the gap under load of an earlier solution.
 #define STICKSLIP_WARNING_CLOSED_GAP 38
+
+// Warning: the gap decreased in cells that have slipped, and increased in none.
+#define STICKSLIP_WARNING_NEGATIVE_WEAR 39
 
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127

@@ -17,7 +17,8 @@ pub const STICKSLIP_APPROACH: i32 = 2;
 /// Prescribes the shift, the rigid motion of body 2 relative to body 1 far from the contact since the unloaded state (a
 /// length): the relative rigid tangential displacement.
 pub const STICKSLIP_SHIFT: i32 = 3;
-/// Prescribes a spring that drags body 2: the force is stiffness * (value - shift).
+/// Prescribes a spring that drags body 2: the force is stiffness * (value - shift). The stretch, value - shift, must not exceed a
+/// million sides of the grid.
 pub const STICKSLIP_SPRING: i32 = 4;
 
 /// Normal load.

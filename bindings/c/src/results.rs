@@ -187,6 +187,8 @@ pub const STICKSLIP_WARNING_HARDNESS_BEYOND_MODULUS: i32 = 36;
 pub const STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS: i32 = 37;
 /// Warning: the gap before loading resembles the gap under load of an earlier solution.
 pub const STICKSLIP_WARNING_CLOSED_GAP: i32 = 38;
+/// Warning: the gap decreased in cells that have slipped, and increased in none.
+pub const STICKSLIP_WARNING_NEGATIVE_WEAR: i32 = 39;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -266,6 +268,7 @@ impl From<&Warning> for stickslip_warning {
                 (STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS, 0, 0)
             }
             Warning::ClosedGap { cells } => (STICKSLIP_WARNING_CLOSED_GAP, cells, 0),
+            Warning::NegativeWear { cells } => (STICKSLIP_WARNING_NEGATIVE_WEAR, cells, 0),
             Warning::OpenCycle { .. } => (STICKSLIP_WARNING_OPEN_CYCLE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),

@@ -5,13 +5,16 @@ use std::convert::Infallible;
 use std::marker::PhantomData;
 
 use numpy::ndarray::{ArrayView, Dimension};
-use numpy::{Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
+use numpy::{
+    Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArray,
+};
 use pyo3::PyClass;
 use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
 
+use crate::field::Field;
 use crate::grid::Grid;
 
 /// Element type of an array.
@@ -127,9 +130,43 @@ where
     view_of(owner, ArrayView::from(numbers(owner.get())))
 }
 
+/// Memory of an array that is copied from an object that changes. It contains the grid of the array.
+#[pyclass(frozen, module = "stickslip")]
+struct CopiedField(stickslip::Field);
+
+#[pymethods]
+impl CopiedField {
+    /// Grid of the field.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.grid())
+    }
+}
+
 /// Copies a field of an object that changes into a read-only array.
 pub(crate) fn snapshot<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py> {
-    copy(py, field).read_only()
+    match Bound::new(py, CopiedField(field.clone())) {
+        Ok(memory) => view(&memory, |memory| &memory.0),
+        Err(_) => copy(py, field).read_only(),
+    }
+}
+
+/// Returns the grid of an array that is the memory of a solution, a state or a copied field, from its base. The memory of a
+/// `Field` has no grid in this sense, because `field.array` is the way to use its numbers on another grid.
+pub(crate) fn grid_of_memory(array: &Bound<'_, PyUntypedArray>) -> Option<stickslip::Grid> {
+    let owner = array.getattr("base").ok()?;
+    if owner.is_none() || owner.cast::<PyUntypedArray>().is_ok() || owner.cast::<Field>().is_ok() {
+        return None;
+    }
+    let grid = owner
+        .getattr("grid")
+        .ok()?
+        .cast_into::<Grid>()
+        .ok()?
+        .get()
+        .0;
+    let shape: (usize, usize) = array.getattr("shape").ok()?.extract().ok()?;
+    (shape == (grid.ny(), grid.nx())).then_some(grid)
 }
 
 /// Copies a field into a new array.
@@ -147,6 +184,17 @@ pub(crate) fn energies<'py>(
     let class = py.import("stickslip._arrays")?.getattr("CellEnergies")?;
     let energies = array.0.call_method1("view", (class,))?;
     energies.setattr("grid", Grid(grid))?;
+    Ok(Array(energies, PhantomData))
+}
+
+/// Returns an array of energies per area, which the wear laws reject, because they divide energies by the area of a cell.
+pub(crate) fn energies_per_area<'py>(
+    py: Python<'py>,
+    array: &Array<'py>,
+    grid: stickslip::Grid,
+) -> PyResult<Array<'py>> {
+    let per_area = py.import("stickslip._arrays")?.getattr("per_area")?;
+    let energies = per_area.call1((&array.0, Grid(grid)))?;
     Ok(Array(energies, PhantomData))
 }
 

@@ -122,7 +122,7 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``,
 /// ``large_bulk_strain``, ``large_twist``, ``large_creepage``, ``large_friction``, ``low_hardness``,
 /// ``hardness_beyond_modulus``, ``low_shear_stress``, ``shear_stress_beyond_modulus``, ``low_pressure``,
-/// ``large_gap_change``, ``closed_gap``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``,
+/// ``large_gap_change``, ``closed_gap``, ``negative_wear``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``,
 /// ``not_converged``, ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``,
 /// ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``neglected_traction``, ``coating_beyond_grid``,
 /// ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are ``[warning.kind
@@ -170,6 +170,7 @@ impl Warning {
             W::LowPressure { .. } => "low_pressure",
             W::LargeGapChange { .. } => "large_gap_change",
             W::ClosedGap { .. } => "closed_gap",
+            W::NegativeWear { .. } => "negative_wear",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::PressureBeyondModulus { .. } => "pressure_beyond_modulus",
             W::PeriodicSeam { .. } => "periodic_seam",
@@ -196,6 +197,7 @@ impl Warning {
             W::ContactAtEdge { cells }
             | W::BeyondHardness { cells }
             | W::ClosedGap { cells }
+            | W::NegativeWear { cells }
             | W::UnderresolvedContact { cells }
             | W::UnderresolvedStickZone { cells } => Some(cells),
             _ => None,

@@ -7,6 +7,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::argument::argument;
+use crate::array::grid_of_memory;
 use crate::conversion::kind_of;
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -74,7 +75,7 @@ impl Samples<'_> {
             None => samples.iter().copied().collect(),
         };
         // The crate rejects a grid of the array that differs from the grid of the call.
-        let grid = self.own_grid().unwrap_or(grid);
+        let grid = self.grid_of_array().unwrap_or(grid);
         let field = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
         Ok(Arc::new(field))
     }
@@ -157,6 +158,17 @@ impl Samples<'_> {
                  or divide them by grid.cell_area"
             ))),
         }
+    }
+
+    /// Returns an error for an array of energies per area where energies of cells are expected.
+    pub(crate) fn check_not_per_area(&self, quantity: &str) -> PyResult<()> {
+        let arrays = self.0.py().import("stickslip._arrays")?;
+        if self.0.is_instance(&arrays.getattr("EnergiesPerArea")?)? {
+            return Err(PyTypeError::new_err(format!(
+                "{quantity} contains energies per area, and the law divides by the area of a cell: multiply them by grid.cell_area"
+            )));
+        }
+        Ok(())
     }
 
     /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number and an array of one number
@@ -278,6 +290,12 @@ impl Samples<'_> {
         let array = self.0.cast::<PyUntypedArray>().ok()?;
         let grid = array.getattr("grid").ok()?;
         grid.cast::<Grid>().ok().map(|grid| grid.get().0)
+    }
+
+    /// Returns the grid of an array of energies, or of an array that belongs to a solution, a state, a history or a solver.
+    pub(crate) fn grid_of_array(&self) -> Option<stickslip::Grid> {
+        let of_memory = || grid_of_memory(self.0.cast::<PyUntypedArray>().ok()?);
+        self.own_grid().or_else(of_memory)
     }
 
     fn field(&self) -> Option<Arc<stickslip::Field>> {

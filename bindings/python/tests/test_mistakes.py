@@ -99,6 +99,69 @@ def test_combined_zones_compare_equal_to_their_names(scene):
     assert type(np.concatenate([zones, zones.astype(float)])) is type(np.diff(zones)) is np.ndarray
 
 
+def test_arrays_on_another_grid_are_rejected(scene):
+    normal = scene.normal()
+    tangential = ss.TangentialProblem(scene.bodies, normal.pressure, 0.5, force_x=20.0).solve()
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    step, state = history.step(force_x=20.0), history.state()
+    other = ss.Grid.square(64, 1.0)
+    bodies = ss.HalfSpace(other, scene.bodies.pair)
+    solver = ss.NormalProblem(scene.bodies, scene.ball, force=FORCE).solver()
+    superposed = ss.tangential.JaegerSuperposition(normal, scene.normal(), scene.bodies.pair, 0.5)
+    assert superposed.grid == step.grid == step.keep().grid == scene.grid
+    arrays = [normal.pressure, normal.gap, tangential.traction[0], tangential.slip[1], state.pressure, state.accumulated_slip, solver.gap,
+              history.pressure, history.gap_as_set, history.traction[1], history.accumulated_slip, step.slip[0], step.keep().slip_distance]  # fmt: skip
+    for array in arrays:
+        assert type(array) is np.ndarray and array.shape == other.shape and not array.flags.writeable
+        for call in (
+            lambda: ss.NormalProblem(bodies, array, force=1.0),  # noqa: B023
+            lambda: ss.TangentialProblem(bodies, array, 0.5, force_x=0.0),  # noqa: B023
+            lambda: ss.Field(other, array),  # noqa: B023
+            lambda: ss.Field(other, 1.0) + array,  # noqa: B023
+            lambda: ss.wear.energy(1e-13, array, grid=other),  # noqa: B023
+        ):
+            with pytest.raises(ss.errors.GridMismatch, match=r"is on a grid of \[64, 64\] cells"):
+                call()
+        # Copies, results of arithmetic and arrays in another order do not contain the grid.
+        for plain in (np.array(array), 2.0 * array, array[::-1], pickle.loads(pickle.dumps(array))):
+            assert ss.Field(other, plain).grid == other
+        assert ss.Field(scene.grid, array).grid == scene.grid
+    assert ss.Field(other, scene.ball.array).grid == other
+    with pytest.raises(ss.errors.GridMismatch):
+        ss.wear.archard(1e-13, history.pressure, ss.Field(other, 1.0))
+
+
+def test_energies_per_area_are_rejected_by_the_wear_laws(scene):
+    rolling = ss.rolling.RollingProblem(scene.bodies, scene.normal(), 0.3, force_x=10.0).solve()
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    history.step(force_x=20.0)
+    cycle.add(history)
+    area = scene.grid.cell_area
+    density = cycle.dissipation / area
+    for per_area in (rolling.dissipation_per_area, 2.0 * rolling.dissipation_per_area, density, density + density, density / 3.0):
+        assert isinstance(per_area, np.ndarray) and per_area.shape == scene.grid.shape
+        for call in (
+            lambda: ss.wear.energy(1e-13, per_area, grid=scene.grid),  # noqa: B023
+            lambda: ss.wear.threshold_energy(1e-13, 1.0, per_area, cycle.dissipation),  # noqa: B023
+            lambda: ss.wear.threshold_energy(1e-13, 1.0, cycle.dissipation, per_area),  # noqa: B023
+        ):
+            with pytest.raises(TypeError, match=r"energies per area, and the law divides .*: multiply them by grid\.cell_area"):
+                call()
+        # A coefficient times an energy per area is a depth.
+        assert np.allclose(ss.wear.energy(1e-13, per_area * area), 1e-13 * per_area, rtol=1e-12, atol=0.0)
+        history.set_gap(scene.ball + 1e-13 * per_area)
+    assert np.allclose(density * area, cycle.dissipation) and (density * area).grid == scene.grid
+    plain = (density + np.zeros(scene.grid.shape), np.array(density), density.sum(axis=0), density > 0.0)
+    assert all(type(result) is np.ndarray for result in plain)
+    assert isinstance(density.sum(), float) and isinstance(density[3, 3], float)
+    copied = pickle.loads(pickle.dumps(density))
+    assert type(copied) is type(density) and np.array_equal(copied, density)
+    assert type(rolling.dissipation_per_area[3:] * area) is type(density)
+
+
 def test_energies_on_another_grid_are_rejected(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
@@ -818,6 +881,16 @@ def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
             history.step(shift=shift, warn=False)
             cycle.add(history)
         assert ("repeated_loop" in [warning.kind for warning in cycle.warnings]) == (count == 1)
+    with pytest.warns(ss.ContactWarning, match="repeat") as issued:
+        assert cycle.energy_ratio > 0.0
+    assert [warning.message.kind for warning in issued] == ["repeated_loop", "open_cycle"]
+    cycle.begin(history)
+    for shift in path.cycles(1):
+        history.step(shift=shift, warn=False)
+        cycle.add(history)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert 0.0 < cycle.energy_ratio < 1.0
     rolling = ss.rolling.RollingProblem(scene.bodies, scene.normal(), 0.3, creepage_x=0.2).solve(warn=False)
     warned = [str(warning) for warning in rolling.warnings if warning.kind == "large_creepage"]
     assert len(warned) == 1 and warned[0].startswith("creepage and spin move the surfaces by 20 % of the length rolled")
@@ -827,6 +900,21 @@ def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
         curve = solver.creep_forces(points)
     assert len(issued) == 1
     assert [[w.kind for w in point.warnings] for point in curve] == [[], ["large_creepage"], ["large_creepage"]]
+
+
+def test_depth_subtracted_from_the_gap_is_warned_of(scene):
+    history, cycle = sheared(scene)
+    depth = ss.wear.energy(1e-13, cycle.dissipation)
+    state = history.state()
+    history.set_gap(scene.ball - depth)
+    with pytest.warns(ss.ContactWarning, match="cells that have slipped, and increased in none") as issued:
+        step = history.step(normal_force=FORCE, force_x=-20.0)
+    assert [warning.message.kind for warning in issued] == ["negative_wear"]
+    [remark] = step.warnings
+    assert remark.kind == "negative_wear" and remark.cells == np.count_nonzero(depth > 1e-3 * depth.max())
+    history.set_state(state)
+    history.set_gap(scene.ball + depth)
+    assert history.step(normal_force=FORCE, force_x=-20.0).warnings == []
 
 
 def sheared(scene):

@@ -83,6 +83,12 @@ def test_both_limits_far_beyond_approach_give_one_warning_each():
     assert issued(largest_depth=five_percent)[0] == []
 
 
+def test_integer_beyond_the_largest_float_is_rejected():
+    with pytest.raises(ss.errors.ArgumentRange, match="max_depth must fit in a float, got a larger integer") as caught:
+        issued(max_depth=10**400)
+    assert caught.value.argument == "max_depth"
+
+
 def test_warning_as_exception_contains_snapshot():
     worn = history()
     before = worn.to_bytes()

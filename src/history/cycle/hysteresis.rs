@@ -85,7 +85,8 @@ impl Cycle {
     /// sliding (Mindlin & Deresiewicz). When the contact slides, the ratio approaches one. Fouvry, Kapsa & Vincent,
     /// Wear 185 (1995) 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to
     /// gross slip. The ratio may exceed one if the load follows an elliptical path, or if the cycle contains
-    /// several loops ([`Warning::RepeatedLoop`]). It has no meaning for [rolled](crate::LoadStep::roll) steps.
+    /// several loops ([`Warning::RepeatedLoop`]). It has no meaning for [rolled](crate::LoadStep::roll) steps, nor for a path
+    /// that does not return to its start.
     ///
     /// # Errors
     /// - [`Error::EmptyPath`](crate::Error::EmptyPath) if the cycle has no steps.

@@ -268,10 +268,9 @@ impl Cycle {
         Ok(())
     }
 
-    /// Adds the motion of the last step to its range. Bodies that are apart or roll may move further than the grid.
+    /// Adds the motion of the last step to its range.
     fn add_motion(&mut self, history: &History) {
-        let last = history.step.remarks;
-        if last.is_apart || last.is_rolled {
+        if history.step.remarks.ends_motion_range() {
             self.motion_range.restart();
             return;
         }

@@ -6,7 +6,6 @@ use crate::history::state::State;
 use crate::normal::{GapChange, PressedGap};
 use crate::parallel::layout::Layout;
 use crate::tangential::{Friction, Zone};
-use crate::warning::Warning;
 
 impl State {
     /// Computes the counts and sums over all ranks, which the fields of a slab do not contain.
@@ -61,13 +60,11 @@ impl State {
         sum * self.grid().cell_area()
     }
 
-    /// Returns a change of the gap before the last pressure over the largest displacement, in tenths, or `None` if it is small.
-    pub(in crate::history) fn large_change(
-        &self,
-        bodies: &HalfSpace,
-        change: GapChange,
-    ) -> Option<usize> {
-        Warning::gap_change_beyond(change.relative_to(self.pressed(bodies)))
+    /// Returns the change of the gap since the last pressure, and the number of cells in which it resembles wear of the wrong sign.
+    pub(in crate::history) fn measure_wear(&self, bodies: &HalfSpace) -> (GapChange, usize) {
+        let pressed = self.pressed(bodies);
+        let negative_cells = pressed.negative_wear(&self.gap, &self.accumulated_slip);
+        (pressed.change_to(&self.gap), negative_cells)
     }
 
     /// Returns the last pressed contact with its gap before loading.

@@ -3,6 +3,7 @@
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
+use crate::history::step::diagnostics::GapDiagnostics;
 use crate::history::{History, LoadStep, State, StepResult};
 use crate::memory::fallible::{TryClone, try_each};
 use crate::support::debug::shown;
@@ -189,7 +190,7 @@ impl AdaptiveSteps {
         observer: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<usize> {
         let (mut start, mut part, mut steps) = (0.0, 1.0_f64, 0);
-        let mut change = None;
+        let mut change = GapDiagnostics::default();
         while start < 1.0 {
             // Fractions are powers of two, so that the last step ends exactly at the end of the load.
             let end = start + part;
@@ -201,7 +202,7 @@ impl AdaptiveSteps {
                 // The error estimate replaces the criterion for the growth of the contact.
                 for step in [&mut self.middle.1, &mut history.step] {
                     step.remarks.is_pressed_at_once = false;
-                    change = change.max(step.remarks.gap_change_tenths);
+                    change = change.max(step.remarks.gap_change);
                 }
                 self.show(history, observer)?;
                 (start, steps) = (end, steps + 2);
@@ -221,7 +222,7 @@ impl AdaptiveSteps {
             }
         }
         // The gap changed before the first step.
-        history.step.remarks.gap_change_tenths = change;
+        history.step.remarks.gap_change = change;
         Ok(steps)
     }
 

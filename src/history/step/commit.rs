@@ -9,7 +9,7 @@ use crate::history::state::mark::StateMark;
 use crate::history::state::memory::Memory;
 use crate::history::state::permanent_set::update_permanent_set;
 use crate::history::state::window_shrinking::narrow;
-use crate::history::step::diagnostics::StepDiagnostics;
+use crate::history::step::diagnostics::{GapDiagnostics, StepDiagnostics};
 use crate::history::step::solve::StepInput;
 use crate::history::{EnergyBalance, History, StepResult};
 use crate::normal::{NormalControl, NormalSolution};
@@ -37,7 +37,7 @@ impl History {
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let is_pressed = candidate.held().is_some();
         let is_worn = is_pressed && state.is_pressure_stale && travel.is_none();
-        let gap_change = is_worn.then(|| state.pressed(bodies).change_to(&state.gap));
+        let gap_change = is_worn.then(|| state.measure_wear(bodies));
         match candidate.held_mut() {
             None if control == NormalControl::Hold => {
                 step.normal_report.clone_from(&Report::unsolved());
@@ -60,7 +60,7 @@ impl History {
             }
         }
         step.remarks = StepDiagnostics {
-            gap_change_tenths: gap_change.and_then(|change| state.large_change(bodies, change)),
+            gap_change: GapDiagnostics::of(state, bodies, gap_change),
             is_pressure_stale: state.is_pressure_stale,
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
@@ -130,13 +130,13 @@ impl History {
 }
 
 /// Adds the diagnostics about the motion in a step, and about the range of the motion if the step is the first one beyond a limit.
-/// `displacement_tenths` belongs to the relative displacement. Bodies that are apart or roll may move further.
+/// `displacement_tenths` belongs to the relative displacement.
 fn measure_motion(
     state: &mut State,
     (start, displacement_tenths): (RigidMotion, Option<usize>),
     remarks: &mut StepDiagnostics,
 ) {
-    if remarks.is_apart || remarks.is_rolled {
+    if remarks.ends_motion_range() {
         state.motion_range.restart();
         return;
     }

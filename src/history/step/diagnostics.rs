@@ -1,8 +1,9 @@
 //! Diagnostics behind the warnings of a step or a cycle.
 
-use crate::history::Cycle;
+use crate::half_space::HalfSpace;
 use crate::history::cycle::hysteresis::repeats_loop;
-use crate::normal::Scale;
+use crate::history::{Cycle, State};
+use crate::normal::{GapChange, Scale};
 use crate::tangential::FrictionScale;
 use crate::warning::{Resolution, Warning};
 
@@ -56,8 +57,8 @@ pub(in crate::history) struct StepDiagnostics {
     pub(in crate::history) has_yielded: bool,
     /// Contact modulus divided by the largest pressure of a step in which almost all contact cells are at a low hardness.
     pub(in crate::history) hardness_parts: Option<usize>,
-    /// Largest change of the gap since the last pressure that is not small, in tenths of the largest normal displacement.
-    pub(in crate::history) gap_change_tenths: Option<usize>,
+    /// Changes of the gap since the last pressure.
+    pub(in crate::history) gap_change: GapDiagnostics,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
@@ -67,10 +68,59 @@ pub(in crate::history) struct StepDiagnostics {
     pub(in crate::history) resolution: Resolution,
 }
 
+/// Diagnostics of a change of the gap since the last pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(in crate::history) struct GapDiagnostics {
+    /// Largest change that is not small, in tenths of the largest normal displacement.
+    pub(in crate::history) tenths: Option<usize>,
+    /// Number of cells in which the change resembles wear of the wrong sign. Saved histories do not contain it.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(in crate::history) negative_cells: usize,
+}
+
+impl GapDiagnostics {
+    /// Returns the diagnostics of a change before the pressure of the state. The change includes the number of cells in which it
+    /// resembles wear of the wrong sign.
+    pub(in crate::history) fn of(
+        state: &State,
+        bodies: &HalfSpace,
+        change: Option<(GapChange, usize)>,
+    ) -> Self {
+        let Some((change, negative_cells)) = change else {
+            return Self::default();
+        };
+        Self {
+            tenths: Warning::gap_change_beyond(change.relative_to(state.pressed(bodies))),
+            negative_cells,
+        }
+    }
+
+    /// Returns the larger value of each quantity.
+    pub(in crate::history) fn max(self, other: Self) -> Self {
+        Self {
+            tenths: self.tenths.max(other.tenths),
+            negative_cells: self.negative_cells.max(other.negative_cells),
+        }
+    }
+
+    fn warnings(self) -> impl Iterator<Item = Warning> {
+        let large = self.tenths.map(|tenths| Warning::LargeGapChange { tenths });
+        let cells = self.negative_cells;
+        let negative = (cells > 0).then_some(Warning::NegativeWear { cells });
+        large.into_iter().chain(negative)
+    }
+}
+
 /// Largest loss of tangential force under a held shift without a warning, in per cent.
 pub(in crate::history) const LARGEST_LOSS: usize = 50;
 
 impl StepDiagnostics {
+    /// Returns whether the range of the motion ends, because bodies that are apart or roll may move further than the grid.
+    pub(in crate::history) fn ends_motion_range(&self) -> bool {
+        self.is_apart || self.is_rolled
+    }
+
     /// Combines the diagnostics with the diagnostics of another step.
     pub(in crate::history) fn and(self, other: Self) -> Self {
         Self {
@@ -91,7 +141,7 @@ impl StepDiagnostics {
             hardness_per_mille: self.hardness_per_mille.max(other.hardness_per_mille),
             has_yielded: self.has_yielded || other.has_yielded,
             hardness_parts: self.hardness_parts.max(other.hardness_parts),
-            gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
+            gap_change: self.gap_change.max(other.gap_change),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
             coupling_per_cent: self.coupling_per_cent.max(other.coupling_per_cent),
             resolution: self.resolution.and(other.resolution),
@@ -126,8 +176,6 @@ impl StepDiagnostics {
             .hardness_per_mille
             .filter(|_| !self.has_yielded && self.overloaded_cells == 0);
         let hardness = Warning::of_hardness(self.hardness_parts, high);
-        let gap_change = self.gap_change_tenths;
-        let gap_change = gap_change.map(|tenths| Warning::LargeGapChange { tenths });
         let lift = self.neglected_lift;
         let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
@@ -141,7 +189,7 @@ impl StepDiagnostics {
             .chain(twist)
             .chain(creepage)
             .chain(self.friction.warnings().into_iter().flatten())
-            .chain(gap_change)
+            .chain(self.gap_change.warnings())
             .chain(lost)
             .chain(unused)
             .chain(at_once)

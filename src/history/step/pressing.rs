@@ -8,6 +8,7 @@ use crate::coupled::SensitivityInput;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::history::step::adaptive::traction_distance;
+use crate::history::step::diagnostics::GapDiagnostics;
 use crate::history::{History, LoadStep, State};
 use crate::memory::fallible::{TryClone, try_each};
 use crate::normal::NormalControl;
@@ -238,15 +239,15 @@ impl LoadRamp<'_> {
         after_step: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<()> {
         history.set_state(&self.start)?;
-        let mut change = None;
+        let mut change = GapDiagnostics::default();
         for step in 1..=steps {
             let part = self.course.part(step as f64 / steps as f64);
             history.step_observed(&self.load.part(&self.start, part), &mut *observer)?;
             history.step.remarks.is_pressed_at_once = false;
-            change = change.max(history.step.remarks.gap_change_tenths);
+            change = change.max(history.step.remarks.gap_change);
             history.bodies.run_collectively(|| after_step(history))?;
         }
-        history.step.remarks.gap_change_tenths = change;
+        history.step.remarks.gap_change = change;
         Ok(())
     }
 
@@ -257,13 +258,13 @@ impl LoadRamp<'_> {
         steps: usize,
         observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
     ) -> Result<()> {
-        let mut change = None;
+        let mut change = GapDiagnostics::default();
         for step in 1..=steps {
             let part = self.course.part(step as f64 / steps as f64);
             history.step_observed(&self.load.part(&self.start, part), &mut *observer)?;
-            change = change.max(history.step.remarks.gap_change_tenths);
+            change = change.max(history.step.remarks.gap_change);
         }
-        history.step.remarks.gap_change_tenths = change;
+        history.step.remarks.gap_change = change;
         Ok(())
     }
 }

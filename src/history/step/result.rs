@@ -228,7 +228,7 @@ impl StepResult {
     /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
     /// - the warnings about large approaches, slopes, shifts, twists, creepages and coefficients of friction,
     /// - the warnings about low or high values of the hardness and the largest shear stress, as [`Warning::LowHardness`],
-    /// - [`Warning::LargeGapChange`] and [`Warning::ClosedGap`],
+    /// - [`Warning::LargeGapChange`], [`Warning::NegativeWear`] and [`Warning::ClosedGap`],
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::UnusedRelativeDisplacement`],
     /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling,

@@ -313,6 +313,12 @@ fn line_traction_is_independent_of_the_datum() {
                 Err(Error::DatumTooNear { .. }) => assert!(matrix.lower_bound() == 0.0),
                 Err(error) => panic!("{error}"),
             }
+            // Without friction, zero tractions are the only solution under any datum.
+            let frictionless = kit::coulomb(0.0);
+            let problem = TangentialProblem::builder(bodies, normal, frictionless, load)
+                .model(TangentialModel::Scalar);
+            let found = problem.build().unwrap().solve().unwrap();
+            assert!(max_abs(found.traction()[0].as_slice()) == 0.0);
         }
     }
 }

@@ -1,4 +1,4 @@
-"""Arrays of the energies of cells, which contain their grid, and read-only arrays."""
+"""Arrays of the energies of cells and of energies per area, which contain their grid, and read-only arrays."""
 
 from __future__ import annotations
 
@@ -18,9 +18,14 @@ def read_only(array: ArrayLike) -> NDArray[Any]:
     return view
 
 
+def _is_area(number: Any, grid: Grid) -> bool:
+    """Returns whether a number is the area of a cell."""
+    return isinstance(number, (float, np.floating)) and abs(float(number) / grid.cell_area - 1.0) < 1e-9
+
+
 class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
     """Array of one energy per cell with its grid, from which the wear laws take the area of a cell. The grid is ``None`` if the
-    shape differs from that of the grid. A quotient by the area of a cell is a plain array."""
+    shape differs from that of the grid. A quotient by the area of a cell is an array of energies per area."""
 
     grid: Grid | None
 
@@ -28,12 +33,11 @@ class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
         grid = getattr(source, "grid", None)
         self.grid = grid if grid is not None and grid.shape == self.shape else None
 
-    def _is_per_area(self, context: Any) -> bool:
+    def _is_divided_by_area(self, context: Any) -> bool:
         """Returns whether an operation of NumPy divides by the area of a cell."""
         if self.grid is None or context is None or context[0] is not np.true_divide:
             return False
-        divisor = context[1][1]
-        return isinstance(divisor, (float, np.floating)) and abs(float(divisor) / self.grid.cell_area - 1.0) < 1e-9
+        return _is_area(context[1][1], self.grid)
 
     def __reduce__(self) -> tuple[Any, ...]:
         reduced: Any = super().__reduce__()
@@ -45,8 +49,41 @@ class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
         super().__setstate__(own)
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
-        if array.shape != self.shape or array.dtype != np.float64 or self._is_per_area(context):
+        if array.shape != self.shape or array.dtype != np.float64:
             return np.asarray(array)[()]
+        if self._is_divided_by_area(context):
+            return per_area(array, self.grid)
         energies = array.view(CellEnergies)
         energies.grid = self.grid
         return energies
+
+
+class EnergiesPerArea(np.ndarray[Any, np.dtype[np.float64]]):
+    """Array of one energy per area of each cell. The wear laws reject it, because they divide energies by the area of a cell. Its
+    product with the area of a cell is an array of energies. A result that also depends on a plain array is a plain array."""
+
+    _grid: Grid | None
+
+    def __array_finalize__(self, source: Any) -> None:
+        self._grid = getattr(source, "_grid", None)
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        inputs = () if context is None else context[1]
+        is_mixed = any(np.ndim(given) > 0 and not isinstance(given, EnergiesPerArea) for given in inputs)
+        if array.shape != self.shape or array.dtype != np.float64 or is_mixed:
+            return np.asarray(array)[()]
+        grid = self._grid
+        if grid is None or grid.shape != array.shape:
+            return array.view(EnergiesPerArea)
+        if context is not None and context[0] is np.multiply and any(_is_area(given, grid) for given in inputs):
+            energies = array.view(CellEnergies)
+            energies.grid = grid
+            return energies
+        return per_area(array, grid)
+
+
+def per_area(array: NDArray[Any], grid: Grid | None) -> EnergiesPerArea:
+    """Returns a view of an array of energies per area on this grid."""
+    energies = array.view(EnergiesPerArea)
+    energies._grid = grid
+    return energies

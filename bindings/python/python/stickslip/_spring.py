@@ -19,6 +19,7 @@ class Spring:
     """
 
     position: float | tuple[float, float]
-    """Position of the far end, or a pair (x, y) for springs along both axes (lengths)."""
+    """Position of the far end, or a pair (x, y) for springs along both axes (lengths). Its distance from the shift must not exceed a
+    million sides of the grid."""
     stiffness: float
     """Stiffness (a force over a length, positive)."""

@@ -1927,6 +1927,9 @@ class Cycle:
         """
         Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
 
+        The ratio has no meaning for a path that does not return to its start. The warnings ``open_cycle`` and ``repeated_loop``
+        of the cycle are also issued by ``warnings.warn`` when the ratio is read.
+
         Raises
         ------
         EmptyPath
@@ -3899,6 +3902,11 @@ class JaegerSuperposition:
     def force(self, /) -> float:
         """
         The tangential force, mu times the difference of the two loads.
+        """
+    @property
+    def grid(self, /) -> Grid:
+        """
+        Grid of the traction.
         """
     @property
     def shift(self, /) -> float:
@@ -6201,8 +6209,9 @@ class RollingSolution:
         and the particles of both surfaces pass through them. The value of a cell is therefore not the wear of a particle. In
         each passage, a particle loses the wear coefficient times the sum of the values over the cells of its line along the
         rolling direction, times their side along this line. Add this depth to whole lines of the gap. A wheel with the
-        circumference U makes L/U passages over the length L. Between bodies of the same material, the integral of this energy
-        is less than the work; the difference decreases with the cell size.
+        circumference U makes L/U passages over the length L. The laws of :mod:`stickslip.wear` reject this array, because they
+        divide energies by the area of a cell. Between bodies of the same material, the integral of this energy is less than the
+        work; the difference decreases with the cell size.
         """
     @property
     def force(self, /) -> tuple[float, float]:
@@ -7269,6 +7278,11 @@ class StepResult:
         Work, elastic energy and dissipation of the step.
         """
     @property
+    def grid(self, /) -> Grid:
+        """
+        Grid of the fields.
+        """
+    @property
     def is_gross_slip(self, /) -> bool:
         """
         Whether the whole contact is at its friction limit.
@@ -8080,7 +8094,7 @@ class Warning:
     ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``,
     ``large_bulk_strain``, ``large_twist``, ``large_creepage``, ``large_friction``, ``low_hardness``,
     ``hardness_beyond_modulus``, ``low_shear_stress``, ``shear_stress_beyond_modulus``, ``low_pressure``,
-    ``large_gap_change``, ``closed_gap``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``,
+    ``large_gap_change``, ``closed_gap``, ``negative_wear``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``,
     ``not_converged``, ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``,
     ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``neglected_traction``, ``coating_beyond_grid``,
     ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are ``[warning.kind
@@ -8545,6 +8559,8 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
         If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     ValueError
         If the units of the energies and of the earlier depth differ.
+    TypeError
+        If an array contains energies per area.
     """
 
 def fill_missing(heights: Field | ArrayLike) -> Filled:
@@ -8994,6 +9010,8 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
         If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     ValueError
         If the units of the energies and of the earlier depth differ.
+    TypeError
+        If an array contains energies per area.
     """
 
 def vti_to_bytes(fields: Any, *, grid: Grid | None = None) -> bytes:

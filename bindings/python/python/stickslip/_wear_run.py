@@ -417,6 +417,12 @@ def run(
     for name, value in (("max_depth", max_depth), ("max_residual", max_residual)):
         if (isinstance(value, bool) or not isinstance(value, Real)) and not (name == "max_depth" and value is None):
             refuse_type(name, f"must be a number, got {kind(value)}")
+    try:
+        max_depth = None if max_depth is None else float(max_depth)
+    except OverflowError:
+        error = ArgumentRange("max_depth must fit in a float, got a larger integer: omit max_depth for no limit")
+        error.argument = "max_depth"
+        raise error from None
     if max_depth is not None and not max_depth >= 0.0:
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
         error.argument = "max_depth"

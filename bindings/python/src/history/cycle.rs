@@ -12,7 +12,7 @@ use crate::error::OrRaise;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, picklable, reduced};
 use crate::readers::{frame, readers};
-use crate::report::{Warning, remarks};
+use crate::report::{Warning, remarks, warn};
 use crate::sequence::{Entries, entry, pair};
 use crate::solution_pool::lock;
 
@@ -294,13 +294,26 @@ impl Cycle {
 
     /// Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
     ///
+    /// The ratio has no meaning for a path that does not return to its start. The warnings ``open_cycle`` and ``repeated_loop``
+    /// of the cycle are also issued by ``warnings.warn`` when the ratio is read.
+    ///
     /// Raises
     /// ------
     /// EmptyPath
     ///     If the cycle has no steps.
     #[getter]
     fn energy_ratio(&self, py: Python<'_>) -> PyResult<f64> {
-        self.lock()?.energy_ratio().or_raise(py)
+        let cycle = self.lock()?;
+        let (ratio, mut warnings) = (cycle.energy_ratio(), cycle.warnings());
+        drop(cycle);
+        warnings.retain(|warning| {
+            matches!(
+                warning,
+                stickslip::Warning::OpenCycle { .. } | stickslip::Warning::RepeatedLoop
+            )
+        });
+        warn(py, true, || warnings)?;
+        ratio.or_raise(py)
     }
 
     /// Measure of how far the cycle is from closing: the larger of two ratios. The first is the ratio of the largest

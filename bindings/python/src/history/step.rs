@@ -8,6 +8,7 @@ use stickslip::Field;
 
 use crate::array::{Array, energies, snapshot, view};
 use crate::digits::{short, tuple};
+use crate::grid::Grid;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::report::{Report, Warning, remarks};
@@ -122,8 +123,7 @@ impl StepResult {
     /// Returns an array of energies together with its grid.
     fn of_energies<'py>(slf: &Bound<'py, Self>, array: &Array<'py>) -> PyResult<Array<'py>> {
         let py = slf.py();
-        let grid = slf.get().read(py, |step| step.dissipation().grid())?;
-        energies(py, array, grid)
+        energies(py, array, slf.get().grid(py)?.0)
     }
 }
 
@@ -147,6 +147,12 @@ impl StepResult {
             Fields::Last { .. } => Arc::new(self.read(py, Clone::clone)?),
         };
         Ok(Self::of(&step.clone(), Fields::Kept(step)))
+    }
+
+    /// Grid of the fields.
+    #[getter]
+    fn grid(&self, py: Python<'_>) -> PyResult<Grid> {
+        self.read(py, |step| Grid(step.dissipation().grid()))
     }
 
     /// Slip of the step along x and y (lengths).

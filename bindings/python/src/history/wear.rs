@@ -51,7 +51,7 @@ fn check_units(fields: &[&Samples<'_>], depth: Option<&Samples<'_>>) -> PyResult
     one_unit(&all).map(|_| ())
 }
 
-/// Returns the grid of fields whose cell sizes are irrelevant: a known grid, or a grid of unit cells.
+/// Returns the grid of fields whose cell sizes are irrelevant: a known grid, the grid of an array, or a grid of unit cells.
 fn of_any_cells(
     py: Python<'_>,
     grid: Option<&Grid>,
@@ -59,7 +59,10 @@ fn of_any_cells(
 ) -> PyResult<stickslip::Grid> {
     let shape = fields.iter().find_map(|field| field.shape());
     match (grid_of(grid, fields), shape) {
-        (Err(_), Some((ny, nx))) => stickslip::Grid::new(nx, ny, 1.0, 1.0).or_raise(py),
+        (Err(_), Some((ny, nx))) => match fields.iter().find_map(|field| field.grid_of_array()) {
+            Some(grid) => Ok(grid),
+            None => stickslip::Grid::new(nx, ny, 1.0, 1.0).or_raise(py),
+        },
         (known, _) => known,
     }
 }
@@ -142,6 +145,8 @@ pub(crate) fn archard<'py>(
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
 /// ValueError
 ///     If the units of the energies and of the earlier depth differ.
+/// TypeError
+///     If an array contains energies per area.
 #[pyfunction]
 #[pyo3(signature = (coefficient, energy, *, depth=None, grid=None))]
 pub(crate) fn energy<'py>(
@@ -151,6 +156,7 @@ pub(crate) fn energy<'py>(
     depth: Option<Samples<'py>>,
     grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
+    energy.check_not_per_area("energy")?;
     check_units(&[&energy], depth.as_ref())?;
     let grid = grid_of(grid.as_deref(), &[&energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
@@ -192,6 +198,8 @@ pub(crate) fn energy<'py>(
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
 /// ValueError
 ///     If the units of the energies and of the earlier depth differ.
+/// TypeError
+///     If an array contains energies per area.
 #[pyfunction]
 #[pyo3(signature = (coefficient, threshold, accumulated, energy, *, depth=None, grid=None))]
 pub(crate) fn threshold_energy<'py>(
@@ -203,6 +211,8 @@ pub(crate) fn threshold_energy<'py>(
     depth: Option<Samples<'py>>,
     grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
+    accumulated.check_not_per_area("accumulated energy")?;
+    energy.check_not_per_area("energy")?;
     check_units(&[&accumulated, &energy], depth.as_ref())?;
     let grid = grid_of(grid.as_deref(), &[&accumulated, &energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;

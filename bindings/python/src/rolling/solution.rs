@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use stickslip::rolling;
 
-use crate::array::{Array, snapshot, view, zones};
+use crate::array::{Array, energies_per_area, snapshot, view, zones};
 use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::grid::Grid;
@@ -84,12 +84,13 @@ impl RollingSolution {
     /// and the particles of both surfaces pass through them. The value of a cell is therefore not the wear of a particle. In
     /// each passage, a particle loses the wear coefficient times the sum of the values over the cells of its line along the
     /// rolling direction, times their side along this line. Add this depth to whole lines of the gap. A wheel with the
-    /// circumference U makes L/U passages over the length L. Between bodies of the same material, the integral of this energy
-    /// is less than the work; the difference decreases with the cell size.
+    /// circumference U makes L/U passages over the length L. The laws of :mod:`stickslip.wear` reject this array, because they
+    /// divide energies by the area of a cell. Between bodies of the same material, the integral of this energy is less than the
+    /// work; the difference decreases with the cell size.
     #[getter]
     fn dissipation_per_area<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let dissipation = self.0.dissipation_per_area().or_raise(py)?;
-        Ok(snapshot(py, &dissipation))
+        energies_per_area(py, &snapshot(py, &dissipation), dissipation.grid())
     }
 
     fn __repr__(&self) -> String {

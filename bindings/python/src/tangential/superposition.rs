@@ -6,6 +6,7 @@ use crate::argument::Object;
 use crate::array::{Array, view, zones};
 use crate::digits::short;
 use crate::error::OrRaise;
+use crate::grid::Grid;
 use crate::material::Pair;
 use crate::normal::NormalSolution;
 use crate::readers::readers;
@@ -39,6 +40,12 @@ readers! { JaegerSuperposition.0:
 
 #[pymethods]
 impl JaegerSuperposition {
+    /// Grid of the traction.
+    #[getter]
+    fn grid(&self) -> Grid {
+        Grid(self.0.traction().grid())
+    }
+
     #[new]
     fn new(
         py: Python<'_>,
