@@ -270,7 +270,13 @@ impl CoupledEngine {
         let added = task.totals.map(|total| total.uniform_compliance(cells));
         let [z, x, y] = added;
         let mut normal = self.normal_operator.lower_bound_of([z])?;
-        let mut in_plane = self.plane_operator.lower_bound_of([x, y])?;
+        // Without friction all tractions are zero, so the compliance of uniform tractions has no effect.
+        let tangential = if task.largest_coefficient > 0.0 {
+            [x, y]
+        } else {
+            [None; 2]
+        };
+        let mut in_plane = self.plane_operator.lower_bound_of(tangential)?;
         if !self.is_bounded {
             (normal.mean, in_plane.mean) = (MeanBound::Springs, MeanBound::Springs);
         }

@@ -159,6 +159,7 @@ def test_energies_per_area_are_rejected_by_the_wear_laws(scene):
     assert isinstance(density.sum(), float) and isinstance(density[3, 3], float)
     copied = pickle.loads(pickle.dumps(density))
     assert type(copied) is type(density) and np.array_equal(copied, density)
+    assert (copied * area).grid == scene.grid
     assert type(rolling.dissipation_per_area[3:] * area) is type(density)
 
 

@@ -7,9 +7,9 @@ use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, CellValue, EigenvalueBound, ElasticPair, Error, Field, Grid, HalfSpace, Material,
-    NormalLoad, NormalProblem, Operator, Scratch, TangentialControl, TangentialLoad,
-    TangentialModel, TangentialProblem, surface,
+    Boundary, CellValue, CoupledProblem, EigenvalueBound, ElasticPair, Error, Field, Grid,
+    HalfSpace, Material, NormalLoad, NormalProblem, Operator, Scratch, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
 use super::against_rigid;
@@ -320,5 +320,16 @@ fn line_traction_is_independent_of_the_datum() {
             let found = problem.build().unwrap().solve().unwrap();
             assert!(max_abs(found.traction()[0].as_slice()) == 0.0);
         }
+    }
+    let (press, friction) = (NormalLoad::Force(0.05), kit::coulomb(0.0));
+    let load = TangentialLoad::shift([0.02, 0.0]);
+    for (bodies, normal) in &pressed {
+        let problem = CoupledProblem::builder(bodies, &gap, friction.clone(), press, load);
+        let found = problem.tolerance(1e-10).build().unwrap().solve().unwrap();
+        for axis in [0, 1] {
+            assert!(max_abs(found.tangential().traction()[axis].as_slice()) == 0.0);
+        }
+        let [p, uncoupled] = [found.normal(), normal].map(|of| of.pressure().as_slice());
+        assert!(max_difference(p, uncoupled) < 1e-7 * normal.pressure().max());
     }
 }
