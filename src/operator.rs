@@ -15,6 +15,9 @@ pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 pub(crate) struct LowerBound {
     /// Value of the bound, or zero if no bound is available.
     pub(crate) value: f64,
+    /// Value for all vectors without springs, which is not above `value`. It is equal to `value` if the compliance of all vectors
+    /// is not positive definite.
+    pub(crate) of_all: f64,
     pub(crate) known: EigenvalueBound,
     pub(crate) mean: MeanBound,
 }

@@ -117,9 +117,9 @@ pub struct Report {
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm (dimensionless):
-    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it replaces `x' C x`.
-    /// Here `lambda` is the available bound on the smallest eigenvalue of the operator. The value is a duality gap and
-    /// not a distance.
+    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If the operator maps constants to zero, or is not positive definite,
+    /// `lambda x' x` can be larger than `x' C x` and then replaces it. Here `lambda` is the available bound on the eigenvalues
+    /// for unknowns with zero sums. The value is a duality gap and not a distance.
     ///
     /// On a grid that is periodic along both axes, `x*` is the exact solution for the total of `x`, even if an approach or
     /// a shift is prescribed. The bound is then relative to the contact under the computed force. It does not bound the

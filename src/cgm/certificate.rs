@@ -148,6 +148,7 @@ pub(crate) fn measure<const N: usize>(
     constraint: &impl Constraint<N>,
     LowerBound {
         value: lower_bound,
+        of_all,
         mean,
         ..
     }: LowerBound,
@@ -222,7 +223,7 @@ pub(crate) fn measure<const N: usize>(
         least_displacement: larger(least_displacement, slope),
         bound,
         energy,
-        least_energy: larger(lower_bound * squares_of_all, slope * magnitude),
+        least_energy: larger(of_all * squares_of_all, slope * magnitude),
         load_error: ratio(norm(missing), magnitude),
         free: found.free,
     }
@@ -435,6 +436,7 @@ mod tests {
             for value in [0.0, 1.0] {
                 let lower_bound = LowerBound {
                     value,
+                    of_all: value,
                     known: EigenvalueBound::Stated,
                     mean: MeanBound::Operator,
                 };

@@ -158,6 +158,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             totals: self.totals,
             lower_bound: LowerBound {
                 value: usable_bound(self.operator.lower_bound()),
+                of_all: usable_bound(self.operator.lower_bound()),
                 known: self.operator.eigenvalue_bound(),
                 mean: MeanBound::Operator,
             },

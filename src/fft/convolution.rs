@@ -245,8 +245,17 @@ impl<const N: usize> Convolution<N> {
         } else if added != [None; N] {
             value = self.lower_bound;
         }
-        let known = self.known();
-        Ok(LowerBound { value, known, mean })
+        let of_all = if self.lower_bound > 0.0 {
+            value.min(self.lower_bound)
+        } else {
+            value
+        };
+        Ok(LowerBound {
+            value,
+            of_all,
+            known: self.known(),
+            mean,
+        })
     }
 
     /// Returns the origin of the bound for tractions without a mean.

@@ -74,6 +74,7 @@ impl<const N: usize> ElasticOperator<N> {
             OperatorKind::Convolution(convolution) => convolution.lower_bound_of(added),
             OperatorKind::User(part) => Ok(LowerBound {
                 value: part.lower_bound(),
+                of_all: part.lower_bound(),
                 known: part.eigenvalue_bound(),
                 mean: MeanBound::Operator,
             }),

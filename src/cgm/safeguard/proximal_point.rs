@@ -156,7 +156,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
         self.restraint = stiffness;
         let operator = &self.problem.operator;
-        self.lower_bound.value = self.problem.lower_bound.value + stiffness;
+        let bound = self.problem.lower_bound;
+        (self.lower_bound.value, self.lower_bound.of_all) =
+            (bound.value + stiffness, bound.of_all + stiffness);
         self.self_compliance = operator.self_compliance().max(0.0) + SELF_COMPLIANCE * stiffness;
         self.monitor.begin((stiffness > 0.0).then_some(SOLVED));
     }
