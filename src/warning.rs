@@ -304,9 +304,9 @@ pub enum Warning {
     /// A minor loop within a cycle, after which the path continues as before it, can also have this warning. Minor loops occur under
     /// variable amplitudes or higher harmonics.
     RepeatedLoop,
-    /// The loads of a cycle return to their start, but its
+    /// The loads of a cycle turn back towards their start, but its
     /// [residual](crate::history::Cycle::cyclic_residual) exceeds 0.1. Its energies and slip distances then differ from those of a
-    /// steady cycle. The first cycle from rest usually has such a residual.
+    /// steady cycle. The first cycle from rest usually has such a residual. A path in one direction does not have this warning.
     OpenCycle {
         /// The residual, in per cent.
         per_cent: usize,

@@ -171,7 +171,7 @@ pub const STICKSLIP_WARNING_LARGE_GAP_CHANGE: i32 = 28;
 pub const STICKSLIP_WARNING_LOW_HARDNESS: i32 = 29;
 /// Warning: the largest shear stress lowers the friction capacity to less than 1 %.
 pub const STICKSLIP_WARNING_LOW_SHEAR_STRESS: i32 = 30;
-/// Warning: the loads of a cycle return to their start, but the cycle does not close.
+/// Warning: the loads of a cycle turn back, but the cycle does not close.
 pub const STICKSLIP_WARNING_OPEN_CYCLE: i32 = 31;
 /// Warning: the largest prescribed pressure is below 1e-7 of the contact modulus.
 pub const STICKSLIP_WARNING_LOW_PRESSURE: i32 = 32;

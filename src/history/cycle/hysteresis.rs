@@ -127,12 +127,12 @@ impl Cycle {
         text
     }
 
-    /// Returns the warning about a cycle whose loads return to their start but that does not close.
+    /// Returns the warning about a cycle whose loads turn back but that does not close.
     pub(in crate::history) fn open_warning(&self) -> Option<Warning> {
         let is_loop = || {
             let ratio = self.energy_ratio().unwrap_or(f64::INFINITY);
             // The loads of steps that only press are round-off, in contrast to the energy.
-            ratio < LARGEST_RATIO && returns_to_start(self.points())
+            ratio < LARGEST_RATIO && turns_back(self.points())
         };
         let open = Warning::open_beyond(self.cyclic_residual().ok()?)?;
         is_loop().then_some(open)
@@ -203,6 +203,10 @@ const LARGEST_RATIO: f64 = 100.0;
 /// Smallest distance from the start that a loop reaches, in half the ranges of the loop.
 const LEAST_EXTENT: f64 = 0.5;
 
+/// Least excess of the length of a path over the distance of its ends for a path that turns back, in half the ranges of the path. The
+/// excess is 0.3 for a quarter of a circle, 2 for a straight loop, and zero for a straight path in one direction.
+const LEAST_DETOUR: f64 = 0.5;
+
 /// Smallest part of shift or twist in the product of half ranges of loads and motions. A smaller part may be round-off.
 const LEAST_PART: f64 = 1e-6;
 
@@ -272,19 +276,21 @@ pub(in crate::history) fn repeats_loop(points: &[LoopPoint]) -> bool {
     false
 }
 
-/// Returns whether forces and moment or shift and twist of the last point equal those of the first point, and have differed by half
-/// their range.
-fn returns_to_start(points: &[LoopPoint]) -> bool {
+/// Returns whether the path of forces and moment, or the path of shift and twist, turns back towards its start. The path may also end
+/// elsewhere, as the first loop between two turning points does.
+fn turns_back(points: &[LoopPoint]) -> bool {
     let (scaled, _) = scaled_points(points);
-    let [loads, motions] = [[0, 1, 4], [2, 3, 5]].map(|parts| {
-        let distance = |point: &Scaled| {
-            let parts = parts.iter().map(|part: &usize| point[*part].abs());
-            parts.fold(0.0, f64::max)
+    let [Some(first), Some(last)] = [scaled.first(), scaled.last()] else {
+        return false;
+    };
+    [[0, 1, 4], [2, 3, 5]].into_iter().any(|parts| {
+        let distance = |from: &Scaled, to: &Scaled| {
+            let squares = parts.map(|part: usize| (to[part] - from[part]).powi(2));
+            squares.iter().sum::<f64>().sqrt()
         };
-        let has_left = scaled.iter().any(|point| distance(point) >= LEAST_EXTENT);
-        has_left && scaled.last().is_some_and(|last| distance(last) <= EQUAL)
-    });
-    loads || motions
+        let steps = scaled.windows(2).map(|ends| distance(&ends[0], &ends[1]));
+        steps.sum::<f64>() >= distance(first, last) + LEAST_DETOUR
+    })
 }
 
 /// Scales the points, and returns the components by which they are sorted into cells.

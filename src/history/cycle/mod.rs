@@ -31,8 +31,8 @@ checked_struct! {
     /// [`FrettingLoop`](crate::history::FrettingLoop) makes these calls itself.
     ///
     /// The first cycle from rest usually does not close. Its work then contains a change of the elastic energy.
-    /// [`cyclic_residual`](Self::cyclic_residual) measures the distance from a closed cycle. A cycle whose loads return to their start
-    /// has the warning [`OpenCycle`](crate::Warning::OpenCycle) if it is far from closed.
+    /// [`cyclic_residual`](Self::cyclic_residual) measures the distance from a closed cycle. A cycle whose loads turn back has the
+    /// warning [`OpenCycle`](crate::Warning::OpenCycle) if it is far from closed.
     ///
     /// # Memory
     /// A cycle stores nine numbers per cell. A new cycle allocates memory only if it has more steps than every earlier cycle.

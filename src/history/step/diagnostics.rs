@@ -201,7 +201,7 @@ impl Cycle {
     /// Returns the [warnings](crate::history::StepResult::warnings) of all steps. Each warning appears once, with its
     /// largest count. The warning for a narrow slip zone appears only if the zone was too narrow in all steps. The cycle has the
     /// warning [`RepeatedLoop`](Warning::RepeatedLoop) if it contains more than one loop, and [`OpenCycle`](Warning::OpenCycle) if
-    /// its loads return to their start but the cycle does not close. It has
+    /// its loads turn back but the cycle does not close. It has
     /// [`ShiftBeyondGrid`](Warning::ShiftBeyondGrid) or [`LargeTwist`](Warning::LargeTwist) if the range of the motion over
     /// consecutive steps in contact is too large, although each step is small.
     /// [`History::normal`](crate::History::normal) returns the warnings about the grid and the contact spots.
