@@ -145,6 +145,14 @@ pub(crate) fn check_converged(report: &Report) -> Result<()> {
     }
 }
 
+/// Returns an error for a solution that no solve has filled.
+pub(crate) fn check_solved(report: &Report) -> Result<()> {
+    if report.status == Status::Unsolved {
+        return Err(Error::NotConverged(Box::new(report.clone())));
+    }
+    Ok(())
+}
+
 /// Returns the error of an iteration that reached its limit.
 pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     Error::NotConverged(Box::new(Report {

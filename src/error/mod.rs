@@ -12,8 +12,8 @@ pub(crate) mod tests;
 
 pub(crate) use check::{
     ROLL, ROLL_UNDER_CAP, SLIDE, SLIDE_UNDER_CAP, all_finite, all_non_negative, at_least,
-    check_converged, finite, has_squares, length, memory, non_negative, not_converged,
-    poisson_ratio, positive, samples_obey, with_remedy,
+    check_converged, check_solved, finite, has_squares, length, memory, non_negative,
+    not_converged, poisson_ratio, positive, samples_obey, with_remedy,
 };
 pub(crate) use messages::counted;
 pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, system::SystemError};

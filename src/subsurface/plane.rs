@@ -38,6 +38,8 @@ pub struct Plane {
     displacement: Option<[Field; 3]>,
     /// Whether the depth is less than a cell side and the tractions above the plane end at an edge.
     is_at_edge: bool,
+    /// Whether the tractions belong to a solve that ended before it converged.
+    is_unconverged: bool,
 }
 
 shown!(Plane: body, depth);
@@ -48,10 +50,11 @@ clone_in_place!(Plane {
     normal,
     shear,
     displacement,
-    is_at_edge
+    is_at_edge,
+    is_unconverged
 });
 
-try_clone!(Plane { normal, shear, displacement } { body, depth, is_at_edge });
+try_clone!(Plane { normal, shear, displacement } { body, depth, is_at_edge, is_unconverged });
 
 /// Components in the order of the fields.
 pub(super) const STRESSES: [[FieldComponent; 3]; 2] = [
@@ -79,6 +82,7 @@ impl Plane {
             shear: zeros()?,
             displacement: with_displacements.then(zeros).transpose()?,
             is_at_edge: false,
+            is_unconverged: false,
         })
     }
 
@@ -97,10 +101,11 @@ impl Plane {
         Ok(())
     }
 
-    /// Sets the depth, and whether tractions above the plane end at an edge.
-    pub(super) fn place(&mut self, depth: f64, has_edge: bool) {
+    /// Sets the depth, whether tractions above the plane end at an edge, and whether they belong to a solve that has not converged.
+    pub(super) fn place(&mut self, depth: f64, has_edge: bool, is_unconverged: bool) {
         let grid = self.grid();
         self.depth = depth;
+        self.is_unconverged = is_unconverged;
         self.is_at_edge = has_edge && depth < grid.dx().max(grid.dy());
     }
 
@@ -179,11 +184,13 @@ impl Plane {
     }
 
     /// Returns the warnings about the plane. They include [`Warning::StressAtEdge`] if the depth is less than a side of a cell
-    /// and shear tractions end at the edge of a contact.
+    /// and shear tractions end at the edge of a contact, and [`Warning::NotConverged`] if the tractions belong to a solution that has
+    /// not converged.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let at_edge = self.is_at_edge.then_some(Warning::StressAtEdge);
-        at_edge.into_iter().collect()
+        let unconverged = self.is_unconverged.then_some(Warning::NotConverged);
+        at_edge.into_iter().chain(unconverged).collect()
     }
 
     /// Returns the stress in cell `(ix, iy)`, or `None` outside the grid.

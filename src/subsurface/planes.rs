@@ -191,6 +191,7 @@ impl Planes {
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
     ///   [`Error::CellValueMismatch`](crate::Error::CellValueMismatch) or
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the tractions belong to different bodies.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) for a solution that no solve has filled.
     /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) for a tangential solution that was computed for a different
     ///   pressure than the normal solution.
     /// - [`Error::Sample`](crate::Error::Sample) if a traction or the uniform stress is not finite.
@@ -363,6 +364,7 @@ impl Planes {
             fields,
             uniform,
             has_edge: edge == [true; 2],
+            is_unconverged: tractions.is_unconverged(),
         })
     }
 
@@ -416,7 +418,7 @@ impl Planes {
                 None => Ok(()),
             }
         })?;
-        plane.place(spectra.depth(), loads.has_edge);
+        plane.place(spectra.depth(), loads.has_edge, loads.is_unconverged);
         plane.add(&loads.uniform);
         Ok(())
     }
@@ -428,6 +430,7 @@ struct BodyLoads<'a> {
     fields: [Option<Cow<'a, [f64]>>; 3],
     uniform: Stress,
     has_edge: bool,
+    is_unconverged: bool,
 }
 
 /// Returns whether these cells include a cell without pressure, and whether there are shear tractions.

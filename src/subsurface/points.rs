@@ -101,6 +101,7 @@ pub struct PointResult {
 ///   also returned for a point farther away than 1e60 times the shorter side of a cell.
 /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] if the
 ///   tractions belong to different bodies.
+/// - [`Error::NotConverged`] for a solution that no solve has filled.
 /// - [`Error::OutdatedSolution`] for a tangential solution that was computed for a different pressure than the normal solution.
 /// - [`Error::RigidBody`] for a rigid body.
 /// - [`Error::UnsupportedForCoatings`] for a coated body. Use [`Planes`](crate::subsurface::Planes) instead.

@@ -6,7 +6,7 @@ use std::fmt::Debug;
 use crate::bodies::material::ElasticPair;
 #[cfg(feature = "history")]
 use crate::coupled::CoupledSolution;
-use crate::error::{Result, all_finite};
+use crate::error::{Result, all_finite, check_solved};
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
@@ -16,6 +16,7 @@ use crate::half_space::HalfSpace;
 use crate::history::{History, State};
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
+use crate::report::Report;
 use crate::subsurface::stress::Stress;
 use crate::tangential::TangentialSolution;
 
@@ -54,6 +55,8 @@ pub struct Tractions<'a> {
     host: Option<(Boundary, CellValue, &'a ElasticPair)>,
     /// Normal and tangential solutions that may belong to different problems.
     solutions: Option<(&'a NormalSolution, &'a TangentialSolution)>,
+    /// Report of the solution that contains the tractions, or of the half that has not converged.
+    report: Option<&'a Report>,
 }
 
 impl<'a> Tractions<'a> {
@@ -66,6 +69,7 @@ impl<'a> Tractions<'a> {
             uniform: Stress::default(),
             host: None,
             solutions: None,
+            report: None,
         }
     }
 
@@ -110,6 +114,11 @@ impl<'a> Tractions<'a> {
         }
     }
 
+    /// Returns whether the tractions belong to a solve that ended before it converged.
+    pub(super) fn is_unconverged(&self) -> bool {
+        self.report.is_some_and(|report| !report.is_converged())
+    }
+
     /// Returns the properties of the tractions that must be equal on all ranks.
     pub(super) fn shown(&self) -> impl Debug {
         (self.traction.is_some(), self.uniform)
@@ -122,7 +131,7 @@ impl<'a> Tractions<'a> {
     }
 
     /// Returns the pressure and, if present, the tractions along x and y of uniform cells. Returns an error if they
-    /// belong to different bodies or different pressures, or are not finite.
+    /// belong to different bodies or different pressures, are not finite, or belong to a solution that was not solved.
     pub(super) fn checked(&self, bodies: &HalfSpace) -> Result<[Option<Cow<'a, [f64]>>; 3]> {
         let (grid, quantity) = (bodies.grid(), "the contact of the requested stress");
         if let Some((boundary, cell_value, pair)) = self.host {
@@ -130,6 +139,7 @@ impl<'a> Tractions<'a> {
             bodies.check_values(quantity, cell_value)?;
             bodies.check_pair(quantity, pair)?;
         }
+        self.report.map_or(Ok(()), check_solved)?;
         if let Some((normal, tangential)) = self.solutions {
             tangential.check_normal(normal, "requested stress")?;
         }
@@ -168,6 +178,7 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
         let host = Some((normal.boundary(), normal.cell_value(), normal.pair()));
         Self {
             host,
+            report: Some(normal.report()),
             ..Self::new(normal.pressure())
         }
     }
@@ -177,8 +188,11 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
 /// tractions returns an error if the tangential solution was computed for a different pressure.
 impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
     fn from((normal, tangential): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
+        let reports = [normal.report(), tangential.report()];
+        let report = reports.into_iter().find(|report| !report.is_converged());
         Self {
             solutions: Some((normal, tangential)),
+            report,
             ..Self::from(normal).with_traction(tangential.traction())
         }
     }
@@ -188,7 +202,10 @@ impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
 #[cfg(feature = "history")]
 impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
     fn from(solution: &'a CoupledSolution) -> Self {
-        Self::from(solution.normal()).with_traction(solution.tangential().traction())
+        Self {
+            report: Some(&solution.report().work),
+            ..Self::from(solution.normal()).with_traction(solution.tangential().traction())
+        }
     }
 }
 
@@ -196,7 +213,11 @@ impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
 #[cfg(feature = "history")]
 impl<'a> From<&'a State> for Tractions<'a> {
     fn from(state: &'a State) -> Self {
-        Self::from(state.normal()).with_traction(state.traction())
+        // A state before the first step has no load, so its stress is zero.
+        Self {
+            report: None,
+            ..Self::from(state.normal()).with_traction(state.traction())
+        }
     }
 }
 
@@ -204,6 +225,9 @@ impl<'a> From<&'a State> for Tractions<'a> {
 #[cfg(feature = "history")]
 impl<'a> From<&'a History> for Tractions<'a> {
     fn from(history: &'a History) -> Self {
-        Self::from(history.normal()).with_traction(history.traction())
+        Self {
+            report: None,
+            ..Self::from(history.normal()).with_traction(history.traction())
+        }
     }
 }

@@ -3,11 +3,11 @@
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{Cycle, Rolling};
 use stickslip::layers::Layer;
-use stickslip::subsurface::{Body, Planes};
+use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::{
-    Boundary, CoupledProblem, Coupling, ElasticPair, Field, Grid, HalfSpace, History, LoadStep,
-    Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
-    TangentialProblem, TangentialSolution, Warning, Zone, surface,
+    Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Grid, HalfSpace, History,
+    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, Status, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
@@ -310,6 +310,42 @@ fn surface_stress_at_edge_gives_warning() {
         let pressed = planes.solve(index, Body::One, &normal).unwrap();
         assert!(pressed.warnings().is_empty());
     }
+}
+
+/// Stresses of a solution that no solve has filled would be zero.
+#[test]
+fn stresses_of_solution_without_converged_solve_are_rejected_or_have_warning() {
+    let (hertz, normal, shear) = ball(12, 0.5);
+    let bodies = HalfSpace::new(normal.grid(), *hertz.pair()).unwrap();
+    let gap = kit::sphere(normal.grid(), 20.0);
+    let load = NormalLoad::Force(normal.force());
+    let problem = NormalProblem::builder(&bodies, &gap, load).max_iterations(1);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut pressed = solver.new_solution();
+    let mut planes = Planes::new(&bodies, &[0.1]).unwrap();
+    let is_unsolved = |outcome: Result<(), Error>| match outcome {
+        Err(Error::NotConverged(report)) => report.status == Status::Unsolved,
+        _ => false,
+    };
+    let points = at_points(&bodies, Body::One, &pressed, &[[0.0; 3]]);
+    assert!(is_unsolved(points.map(|_| ())));
+    assert!(is_unsolved(
+        planes.solve(0, Body::One, &pressed).map(|_| ())
+    ));
+    let pair = (&pressed, &shear);
+    assert!(is_unsolved(planes.solve(0, Body::One, pair).map(|_| ())));
+    assert!(solver.solve_into(&mut pressed).is_err());
+    let plane = planes.solve(0, Body::One, &pressed).unwrap();
+    assert_eq!(plane.warnings(), [Warning::NotConverged]);
+    let (mut plane, loads) = (plane, Tractions::new(pressed.pressure()));
+    planes.solve_into(0, Body::One, loads, &mut plane).unwrap();
+    assert!(plane.warnings().is_empty());
+    // A history before its first step has no load.
+    let history = History::builder(&bodies, &gap, kit::coulomb(0.3))
+        .build()
+        .unwrap();
+    let plane = planes.solve(0, Body::One, &history).unwrap();
+    assert!(plane.normal_stress()[2].max() == 0.0);
 }
 
 /// The slip zone of a rolling step is narrower than one cell. The energy from the tractions at the end of the step is

@@ -130,6 +130,7 @@ module stickslip_bindings
     public :: stickslip_planes_solve
     public :: stickslip_planes_solve_observed
     public :: stickslip_planes_field
+    public :: stickslip_planes_warnings
     public :: stickslip_planes_measure
     public :: stickslip_block_room
     public :: stickslip_rolling_options_default
@@ -414,7 +415,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LOW_HARDNESS = 29
     ! Warning: the largest shear stress lowers the friction capacity to less than 1 %.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LOW_SHEAR_STRESS = 30
-    ! Warning: the loads of a cycle return to their start, but the cycle does not close.
+    ! Warning: the loads of a cycle turn back, but the cycle does not close.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OPEN_CYCLE = 31
     ! Warning: the largest prescribed pressure is below 1e-7 of the contact modulus.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LOW_PRESSURE = 32
@@ -432,6 +433,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CLOSED_GAP = 38
     ! Warning: the gap decreased in cells that have slipped, and increased in none.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGATIVE_WEAR = 39
+    ! Warning: the depth of a plane is less than a side of a cell, and shear tractions above it end at the edge of a contact.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_STRESS_AT_EDGE = 40
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.
@@ -2896,6 +2899,17 @@ module stickslip_bindings
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
         end function stickslip_planes_field
+
+        ! Writes the warnings about the last solved plane, like stickslip_normal_solution_warnings. Pointers to tractions contain no
+        ! status, so a plane cannot warn of a solution that has not converged.
+        function stickslip_planes_warnings(planes, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(stickslip_planes), value :: planes
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_planes_warnings
 
         ! Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane to
         ! values, which has count entries.

@@ -19,6 +19,7 @@ module stickslip_stresses
         procedure :: solve => planes_solve
         procedure :: field => planes_field
         procedure :: measure => planes_measure
+        procedure :: warnings => planes_warnings
         procedure :: address => planes_address
         procedure :: free => planes_free
         procedure, private :: planes_refuse
@@ -88,6 +89,22 @@ contains
         if (.not. fits('values', shape(values), this%grid, status)) return
         call report_status(stickslip_planes_measure(this%handle, which, values, size(values, kind=c_size_t)), status)
     end subroutine planes_measure
+
+    ! Returns the warnings about the last solved plane. Pointers to tractions contain no status, so a plane cannot warn
+    ! of a solution that has not converged.
+    subroutine planes_warnings(this, warnings, status)
+        class(stress_planes), intent(in) :: this
+        type(stickslip_warning), allocatable, intent(out) :: warnings(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: code
+        code = stickslip_planes_warnings(this%handle, capacity=0_c_size_t, count=count)
+        if (code == STICKSLIP_OK) then
+            allocate (warnings(count))
+            code = stickslip_planes_warnings(this%handle, warnings, size(warnings, kind=c_size_t), count)
+        end if
+        call report_status(code, status)
+    end subroutine planes_warnings
 
     ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine planes_take(this, made, grid, made_with, status)

@@ -348,7 +348,7 @@
 // Warning: the largest shear stress lowers the friction capacity to less than 1 %.
 #define STICKSLIP_WARNING_LOW_SHEAR_STRESS 30
 
-// Warning: the loads of a cycle return to their start, but the cycle does not close.
+// Warning: the loads of a cycle turn back, but the cycle does not close.
 #define STICKSLIP_WARNING_OPEN_CYCLE 31
 
 // Warning: the largest prescribed pressure is below 1e-7 of the contact modulus.
@@ -374,6 +374,9 @@
 
 // Warning: the gap decreased in cells that have slipped, and increased in none.
 #define STICKSLIP_WARNING_NEGATIVE_WEAR 39
+
+// Warning: the depth of a plane is less than a side of a cell, and shear tractions above it end at the edge of a contact.
+#define STICKSLIP_WARNING_STRESS_AT_EDGE 40
 
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
@@ -2374,6 +2377,13 @@ stickslip_status stickslip_planes_solve_observed(stickslip_planes *planes,
 const double *stickslip_planes_field(const stickslip_planes *planes,
                                      int32_t which,
                                      size_t *count);
+
+// Writes the warnings about the last solved plane, like stickslip_normal_solution_warnings. Pointers to tractions contain no
+// status, so a plane cannot warn of a solution that has not converged.
+stickslip_status stickslip_planes_warnings(const stickslip_planes *planes,
+                                           stickslip_warning *buffer,
+                                           size_t capacity,
+                                           size_t *count);
 
 // Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane to
 // values, which has count entries.

@@ -10,6 +10,7 @@ use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells_mut, entries, input, optional};
+use crate::results::{put_warnings, stickslip_warning};
 use crate::status::{STICKSLIP_INVALID_ARGUMENT, STICKSLIP_UNKNOWN_OPTION, stickslip_status};
 use crate::stress::{body, stickslip_tractions};
 use crate::text_fields::show;
@@ -177,6 +178,23 @@ fn without_displacements(field: i32) -> Failure {
             "the field {field} is a displacement, which exists only in planes with displacements: create the planes with with_displacements"
         ),
     )
+}
+
+/// Writes the warnings about the last solved plane, like stickslip_normal_solution_warnings. Pointers to tractions contain no
+/// status, so a plane cannot warn of a solution that has not converged.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_planes_warnings(
+    planes: *const stickslip_planes,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the caller follows the rule for pointers.
+    call_on(planes, || unsafe {
+        put_warnings(buffer, capacity, count, || {
+            Ok(reading(planes)?.last()?.warnings())
+        })
+    })
 }
 
 /// Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane to

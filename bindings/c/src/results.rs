@@ -189,6 +189,8 @@ pub const STICKSLIP_WARNING_SHEAR_STRESS_BEYOND_MODULUS: i32 = 37;
 pub const STICKSLIP_WARNING_CLOSED_GAP: i32 = 38;
 /// Warning: the gap decreased in cells that have slipped, and increased in none.
 pub const STICKSLIP_WARNING_NEGATIVE_WEAR: i32 = 39;
+/// Warning: the depth of a plane is less than a side of a cell, and shear tractions above it end at the edge of a contact.
+pub const STICKSLIP_WARNING_STRESS_AT_EDGE: i32 = 40;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -269,6 +271,7 @@ impl From<&Warning> for stickslip_warning {
             }
             Warning::ClosedGap { cells } => (STICKSLIP_WARNING_CLOSED_GAP, cells, 0),
             Warning::NegativeWear { cells } => (STICKSLIP_WARNING_NEGATIVE_WEAR, cells, 0),
+            Warning::StressAtEdge => (STICKSLIP_WARNING_STRESS_AT_EDGE, 0, 0),
             Warning::OpenCycle { .. } => (STICKSLIP_WARNING_OPEN_CYCLE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),

@@ -89,6 +89,7 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     double depths[] = {0.5 * depth, depth};
     OK(stickslip_planes_new(bodies, depths, 2, 1, &planes));
     CHECK(stickslip_planes_field(planes, STICKSLIP_STRESS_ZZ, NULL) == NULL);
+    CHECK(stickslip_planes_warnings(planes, NULL, 0, &count) == STICKSLIP_INVALID_ARGUMENT);
     CHECK(stickslip_planes_measure(planes, STICKSLIP_VON_MISES, values, CELLS) == STICKSLIP_INVALID_ARGUMENT);
     OK(stickslip_planes_solve(planes, 1, STICKSLIP_BODY_1, &tractions));
     const double *szz = stickslip_planes_field(planes, STICKSLIP_STRESS_ZZ, &count);
@@ -130,6 +131,14 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     CHECK(stickslip_stress_at_points(bodies, STICKSLIP_BODY_1, &tractions, points, 3, at) == STICKSLIP_SAMPLE);
     OK(stickslip_last_error(&error));
     CHECK(error.index == 1 && error.value == -1.0);
+    OK(stickslip_planes_free(planes));
+    /* Below the edge of the sheared contact, the stress on the surface is inaccurate. */
+    double surface = 0.0;
+    stickslip_warning warning;
+    OK(stickslip_planes_new(bodies, &surface, 1, 0, &planes));
+    OK(stickslip_planes_solve(planes, 0, STICKSLIP_BODY_1, &tractions));
+    OK(stickslip_planes_warnings(planes, &warning, 1, &count));
+    CHECK(count == 1 && warning.kind == STICKSLIP_WARNING_STRESS_AT_EDGE);
     OK(stickslip_planes_free(planes));
     /* Without depths, no index is valid. */
     OK(stickslip_planes_new(bodies, NULL, 0, 0, &planes));

@@ -147,7 +147,7 @@ FILES = [
     ], [Method("history_press_stepwise", cpp="press_stepwise", f="press_stepwise"), cpp_only("max_stable_cycles")]),
     File("stress", "stresses", "Stress and displacement below the surface, and closed-form solutions.", "bodies loads",
          "objects", [
-        Object("planes", "Planes", "stress_planes", ["new", Method("solve", renamed=BODY), "field measure"],
+        Object("planes", "Planes", "stress_planes", ["new", Method("solve", renamed=BODY), "field measure warnings"],
                "stress_xx"),
     ], [Method("stress_at_points", cpp="stress_at", renamed=BODY,
                f_order="bodies body points responses tractions observer"),

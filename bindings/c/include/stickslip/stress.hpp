@@ -49,6 +49,11 @@ class Planes {
         check(stickslip_planes_measure(get(), which, values.data(), values.size()));
         return values;
     }
+    /// Returns the warnings about the last solved plane. Pointers to tractions contain no status, so a plane cannot
+    /// warn of a solution that has not converged.
+    std::vector<stickslip_warning> warnings() const {
+        return detail::listed<stickslip_warning>([&](auto... to) { return stickslip_planes_warnings(get(), to...); });
+    }
     stickslip_planes *get() const { return own_.get(); }
 
   private:

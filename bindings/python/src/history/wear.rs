@@ -94,6 +94,8 @@ fn of_any_cells(
 ///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
 /// ValueError
 ///     If the units of the slip and of the earlier depth differ.
+/// TypeError
+///     If the pressure or the slip is an array of the energies of cells.
 #[pyfunction]
 #[pyo3(signature = (coefficient, pressure, slip_distance, *, depth=None, grid=None))]
 pub(crate) fn archard<'py>(
@@ -107,6 +109,8 @@ pub(crate) fn archard<'py>(
     let mut fields = vec![&pressure, &slip_distance, &coefficient];
     fields.extend(depth.as_ref());
     let grid = of_any_cells(py, grid.as_deref(), &fields)?;
+    pressure.check_no_energies("pressure")?;
+    slip_distance.check_no_energies("slip length")?;
     check_units(&[&slip_distance], depth.as_ref())?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
