@@ -18,13 +18,14 @@ const NAMES: [&str; 8] = [
 ];
 
 /// Magnitudes of numbers that programs write for a missing point, the smallest first. The last number is 1e20 in single precision.
-const MARKS: [f64; 14] = [
+const MARKS: [f64; 15] = [
     999.0,
     9999.0,
     10_000.0,
     99999.0,
     100_000.0,
     999_999.0,
+    1_000_000.0,
     32767.0,
     32768.0,
     65535.0,
@@ -34,6 +35,9 @@ const MARKS: [f64; 14] = [
     1e20,
     1.000_000_020_040_877_3e20,
 ];
+
+/// Number of equal heights from which the largest or the smallest height may be a mark. A single such height may be a spike.
+const REPEATED: usize = 4;
 
 /// Smallest magnitude of numbers that may mark missing points whatever their digits are, such as the largest number in single
 /// precision.
@@ -110,8 +114,8 @@ fn is_huge(number: f64) -> bool {
     number.is_finite() && number.abs() >= HUGE
 }
 
-/// Returns a number that may be a mark. It is huge or a usual mark, and farther from the other numbers than four fifths of them
-/// are apart. The numbers must not be NaN.
+/// Returns a number that may be a mark. It is huge, a usual mark, or a repeated largest or smallest number, and farther from the other
+/// numbers than four fifths of them are apart. The numbers must not be NaN.
 fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> {
     if let Some(huge) = numbers.clone().find(|&number| is_huge(number)) {
         // Other huge numbers may be further marks.
@@ -133,6 +137,18 @@ fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> 
             if is_present[usize::from(mark > 0.0)] && is_apart(mark, &others)? {
                 return Ok(Some(mark));
             }
+        }
+    }
+    for extreme in [f64::min, f64::max] {
+        let Some(mark) = numbers.clone().reduce(extreme) else {
+            return Ok(None);
+        };
+        let others = numbers.clone().filter(|number| !is(mark)(number));
+        // Two levels are a surface without roughness, such as a punch.
+        let has_two_levels = others.clone().reduce(f64::min) == others.clone().reduce(f64::max);
+        let is_repeated = numbers.clone().filter(is(mark)).nth(REPEATED - 1).is_some();
+        if is_repeated && !has_two_levels && is_apart(mark, &others)? {
+            return Ok(Some(mark));
         }
     }
     Ok(None)

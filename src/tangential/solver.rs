@@ -60,6 +60,9 @@ impl TangentialSolver {
     /// Changes the load of the next solve. The new load replaces the earlier load along both axes and its twist. A load along the
     /// other axis requires the operator of that axis. No other change of the load allocates memory.
     ///
+    /// Each solve starts from zero slip, so it does not continue from the previous load. A [`History`](crate::History) computes
+    /// sequences of loads with memory of slip.
+    ///
     /// # Errors
     /// - [`Error::NotFinite`] or [`Error::NotPositive`] if a number of the load is invalid.
     /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load, or if a spring is too long.

@@ -266,6 +266,30 @@ fn asc_header_determines_sides_unit_and_missing_points() {
     assert!(plain.as_slice()[2].is_nan() && plain.as_slice()[0] == 1.0);
 }
 
+/// A single largest or smallest height is a spike, and two levels are a punch.
+#[test]
+fn repeated_extreme_heights_are_rejected_as_marks() {
+    let csv = |text: &str| io::csv::parse(text.as_bytes(), [1.0, 1.0]);
+    for (text, count) in [
+        ("1000 1000 1.5 2\n3 2.5 1000 1000\n", 4),
+        ("1.5 2 2.5\n3 -1000000 4\n", 1),
+    ] {
+        let refused = csv(text).unwrap_err().to_string();
+        let expected = format!("{count} number");
+        assert!(
+            refused.contains(&expected) && refused.contains("may mark missing points"),
+            "{refused}"
+        );
+    }
+    for text in [
+        "1000 1.5 2\n3 2.5 1\n",
+        "0 0 0 0\n0 0 0 1\n1 1 1 1\n",
+        "5 5 5 5\n1 2 3 4\n",
+    ] {
+        assert!(csv(text).is_ok());
+    }
+}
+
 #[test]
 fn unstated_marks_of_missing_points_are_rejected() {
     let csv = |missing: Option<f64>, text: &str| {

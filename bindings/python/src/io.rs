@@ -304,7 +304,7 @@ fn options(
 /// ------
 /// File, Format, NotPositive
 /// ValueError
-///     If a name is not a unit of length.
+///     If a name is not a unit of length, or if the header of the file states another unit, as ``# Z[nm]``.
 /// TypeError
 ///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
@@ -327,6 +327,9 @@ pub(crate) fn csv_read(
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
     let sides = sides("csv.read", positional, cell, size)?;
+    if let Some(unit) = unit {
+        Stated { unit, height_unit }.check_file(&path)?;
+    }
     let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.read(&path, sides))
         .or_raise(py)
@@ -355,8 +358,11 @@ pub(crate) fn csv_parse(
 ) -> PyResult<Field> {
     let units = Units::of(unit, height_unit)?;
     let sides = sides("csv.parse", positional, cell, size)?;
-    let options = options(missing, skip_rows, skip_columns, without_labels);
     let bytes: &[u8] = &bytes;
+    if let Some(unit) = unit {
+        Stated { unit, height_unit }.check(bytes, "")?;
+    }
+    let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.parse(bytes, sides))
         .or_raise(py)
         .map(|field| units.of_surface(field))

@@ -1,4 +1,4 @@
-//! Units in the header of an XYZ file, such as ``# X[um] Y[um] Z[nm]``.
+//! Units in the header of a text file with heights, such as ``# X[um] Y[um] Z[nm]``.
 
 use std::fs::File;
 use std::io::Read;

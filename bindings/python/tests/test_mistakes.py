@@ -163,6 +163,27 @@ def test_energies_per_area_are_rejected_by_the_wear_laws(scene):
     assert type(rolling.dissipation_per_area[3:] * area) is type(density)
 
 
+def test_energies_are_rejected_by_archards_law(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    step = history.step(force_x=20.0)
+    for given in ((history.pressure, step.dissipation), (step.dissipation, step.slip_distance)):
+        with pytest.raises(TypeError, match="contains energies of cells"):
+            ss.wear.archard(1e-13, *given)
+
+
+def test_first_loop_between_turning_points_has_a_warning(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    for repeat in range(2):
+        cycle.begin(history)
+        for side in (1.0, -1.0, 1.0):
+            history.step(force_x=20.0 * side)
+            cycle.add(history)
+        assert [warning.kind for warning in cycle.warnings] == (["open_cycle"] if repeat == 0 else [])
+
+
 def test_energies_on_another_grid_are_rejected(scene):
     history = scene.history()
     history.step(normal_force=FORCE)

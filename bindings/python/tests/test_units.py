@@ -281,6 +281,16 @@ def test_header_of_points_that_contradicts_the_unit_is_rejected(tmp_path, header
     assert ss.io.xyz.read(path).unit is None
 
 
+def test_header_of_matrix_that_contradicts_the_unit_is_rejected(tmp_path):
+    path, text = tmp_path / "matrix.csv", b"# Z [nm]\n1.5 2\n3 4\n"
+    path.write_bytes(text)
+    sides = {"cell": (1.0, 1.0), "unit": "um"}
+    for read in (lambda **units: ss.io.csv.read(path, **sides, **units), lambda **units: ss.io.csv.parse(text, **sides, **units)):
+        with pytest.raises(ValueError, match='line 1: the header states the unit nm of Z, .* give height_unit="nm"'):
+            read()
+        assert read(height_unit="nm").max() == pytest.approx(4e-3)
+
+
 def test_header_of_points_that_agrees_with_the_unit_is_accepted():
     header = b"# X[um] Y[um] Z[nm]\n"
     assert ss.io.xyz.parse(header + POINTS.encode(), unit="\u00b5m", height_unit="nm").max() == pytest.approx(9e-3)

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use crate::error::Result;
 use crate::history::{Cycle, State};
+use crate::numerics::cell_vector::norm;
 use crate::warning::Warning;
 
 /// Point of the loop of force and shift, at the start of a cycle or the end of a step.
@@ -284,12 +285,11 @@ fn turns_back(points: &[LoopPoint]) -> bool {
         return false;
     };
     [[0, 1, 4], [2, 3, 5]].into_iter().any(|parts| {
-        let distance = |from: &Scaled, to: &Scaled| {
-            let squares = parts.map(|part: usize| (to[part] - from[part]).powi(2));
-            squares.iter().sum::<f64>().sqrt()
-        };
+        let distance =
+            |from: &Scaled, to: &Scaled| norm(parts.map(|part: usize| to[part] - from[part]));
         let steps = scaled.windows(2).map(|ends| distance(&ends[0], &ends[1]));
-        steps.sum::<f64>() >= distance(first, last) + LEAST_DETOUR
+        let length: f64 = steps.sum();
+        length >= distance(first, last) + LEAST_DETOUR
     })
 }
 

@@ -8386,6 +8386,8 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
         If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     ValueError
         If the units of the slip and of the earlier depth differ.
+    TypeError
+        If the pressure or the slip is an array of the energies of cells.
     """
 
 def asc_parse(bytes: bytes | bytearray | memoryview) -> Field:
@@ -8503,7 +8505,7 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     ------
     File, Format, NotPositive
     ValueError
-        If a name is not a unit of length.
+        If a name is not a unit of length, or if the header of the file states another unit, as ``# Z[nm]``.
     TypeError
         If ``height_unit`` is given without ``unit``.
     """
