@@ -69,6 +69,26 @@ template <class Call> static void fails(stickslip_status code, Call call) {
     }
 }
 
+// The caller of a batch reads the codes. Errors of use throw, and no contact takes a step.
+static void step_batches(const ss::Grid &grid, const ss::HalfSpace &bodies) {
+    ss::History one(bodies, ss::sphere(grid, 5.0), ss::coulomb(0.3)), other(bodies, ss::sphere(grid, 5.0), ss::coulomb(0.3));
+    const ss::LoadStep good = ss::step(ss::press_by_force(100.0)), bad = ss::step(ss::press_by_force(-100.0));
+    const std::vector<stickslip_status> codes = ss::step_all({&one, &other}, {good, bad});
+    check(codes[0] == STICKSLIP_OK && codes[1] != STICKSLIP_OK, "codes of a batch");
+    const Vector before = one.pressure().copy();
+    for (ss::History *second : {&one, static_cast<ss::History *>(nullptr)}) {
+        std::string refused;
+        try {
+            const auto unread = ss::step_all({&one, second}, {ss::step(ss::press_by_force(200.0)), good});
+            check(unread.empty(), "no exception");
+        } catch (const std::invalid_argument &reason) {
+            refused = reason.what();
+        }
+        const char *due = second == nullptr ? "a history is a null pointer" : "a history occurs twice: pass each history once";
+        check(refused == due && one.pressure().copy() == before, "a batch with a history that is missing or repeated");
+    }
+}
+
 int main() {
     const std::size_t n = 48;
     const ss::Grid grid{n, n, 0.4 / n, 0.4 / n};
@@ -367,6 +387,8 @@ int main() {
         refused = reason.what();
     }
     check(refused == "rolled: cells is 0: a rolling step covers at least one cell", "rolling by no cells");
+
+    step_batches(grid, bodies);
 
     // A bulk strain makes cells slip without a force.
     const ss::RelativeDisplacement bulk = ss::bulk_strain(bodies, 1e-3, 0.0, 0.0);
