@@ -79,8 +79,9 @@ impl LoadPath {
     ///
     /// A phase of $`\pi/2`$ with equal amplitudes gives a circle. No value exceeds its amplitude. The cycle starts and
     /// ends at $`[0, A_y\sin\varphi]`$, so the first step from an unloaded contact is longer by this load. The error of
-    /// energies is of first order in the length of a step, and is large for few steps. On a circle of shifts of two thirds of
-    /// the limit of sliding, 4, 8, 16 and 32 steps give 42, 62, 79 and 90 % of the energy of 128 steps. See [`history`](crate::history).
+    /// energies is of first order in the length of a step ([`history`](crate::history)), and is large for few steps. On a
+    /// circle of shifts of two thirds of the limit of sliding, 4, 8, 16 and 32 steps give 42, 62, 79 and 90 % of the energy
+    /// of 128 steps.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the phase is not finite.

@@ -184,8 +184,8 @@ impl Plane {
     }
 
     /// Returns the warnings about the plane. They include [`Warning::StressAtEdge`] if the depth is less than a side of a cell
-    /// and shear tractions end at the edge of a contact, and [`Warning::NotConverged`] if the tractions belong to a solution that has
-    /// not converged.
+    /// and shear tractions end at the edge of a contact. They include [`Warning::NotConverged`] if the tractions belong to a solution
+    /// that has not converged.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let at_edge = self.is_at_edge.then_some(Warning::StressAtEdge);

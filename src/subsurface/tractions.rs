@@ -16,7 +16,7 @@ use crate::half_space::HalfSpace;
 use crate::history::{History, State};
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
-use crate::report::Report;
+use crate::report::{Report, Status};
 use crate::subsurface::stress::Stress;
 use crate::tangential::TangentialSolution;
 
@@ -55,7 +55,7 @@ pub struct Tractions<'a> {
     host: Option<(Boundary, CellValue, &'a ElasticPair)>,
     /// Normal and tangential solutions that may belong to different problems.
     solutions: Option<(&'a NormalSolution, &'a TangentialSolution)>,
-    /// Report of the solution that contains the tractions, or of the half that has not converged.
+    /// Report of the solution that contains the tractions, or of the half that is not solved or has not converged.
     report: Option<&'a Report>,
 }
 
@@ -188,8 +188,10 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
 /// tractions returns an error if the tangential solution was computed for a different pressure.
 impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
     fn from((normal, tangential): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
-        let reports = [normal.report(), tangential.report()];
-        let report = reports.into_iter().find(|report| !report.is_converged());
+        let reports = [normal.report(), tangential.report()].into_iter();
+        let is_unsolved = |report: &&Report| report.status == Status::Unsolved;
+        let report = (reports.clone().find(is_unsolved))
+            .or_else(|| reports.clone().find(|report| !report.is_converged()));
         Self {
             solutions: Some((normal, tangential)),
             report,

@@ -334,9 +334,21 @@ fn stresses_of_solution_without_converged_solve_are_rejected_or_have_warning() {
     ));
     let pair = (&pressed, &shear);
     assert!(is_unsolved(planes.solve(0, Body::One, pair).map(|_| ())));
+    let drag = TangentialLoad::force([0.0; 2]);
+    let sheared = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), drag);
+    let sheared = sheared
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap()
+        .new_solution();
     assert!(solver.solve_into(&mut pressed).is_err());
     let plane = planes.solve(0, Body::One, &pressed).unwrap();
     assert_eq!(plane.warnings(), [Warning::NotConverged]);
+    for one in [&normal, &pressed] {
+        let pair = (one, &sheared);
+        assert!(is_unsolved(planes.solve(0, Body::One, pair).map(|_| ())));
+    }
     let (mut plane, loads) = (plane, Tractions::new(pressed.pressure()));
     planes.solve_into(0, Body::One, loads, &mut plane).unwrap();
     assert!(plane.warnings().is_empty());

@@ -205,7 +205,7 @@ const LARGEST_RATIO: f64 = 100.0;
 const LEAST_EXTENT: f64 = 0.5;
 
 /// Least excess of the length of a path over the distance of its ends for a path that turns back, in half the ranges of the path. The
-/// excess is 0.3 for a quarter of a circle, 2 for a straight loop, and zero for a straight path in one direction.
+/// excess is 0.3 for a quarter of a circle, 4 for a straight loop, and zero for a straight path in one direction.
 const LEAST_DETOUR: f64 = 0.5;
 
 /// Smallest part of shift or twist in the product of half ranges of loads and motions. A smaller part may be round-off.
