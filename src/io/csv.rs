@@ -518,8 +518,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - [`Error::Format`], with the options that read the file, if it starts with the header of an ESRI ASCII grid.
 /// - [`Error::Format`] if a number may mark missing points, as -9999, -32768 or 1e20, but neither a comment nor
 ///   [`Options::missing`] states this mark. Any magnitude from 1e30 may be a mark, such as the largest number in single
-///   precision. The largest or the smallest number may also be a mark if it occurs four times. Such a number is farther from the
-///   other numbers than four fifths of them are apart.
+///   precision. The largest or the smallest number may also be a mark if it occurs four times, is not zero, and most of the other
+///   numbers differ from each other. All such numbers are farther from the other numbers than four fifths of them are apart.
 ///
 /// ```
 /// use stickslip::io::csv;

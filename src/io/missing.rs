@@ -36,7 +36,9 @@ const MARKS: [f64; 15] = [
     1.000_000_020_040_877_3e20,
 ];
 
-/// Number of equal heights from which the largest or the smallest height may be a mark. A single such height may be a spike.
+/// Number of equal heights from which the largest or the smallest height may be a mark. A single such height may be a spike. Most of
+/// the other heights must differ from each other, as in a measurement and unlike the levels of a pattern. Zero is no such mark,
+/// because pressures are zero outside a contact.
 const REPEATED: usize = 4;
 
 /// Smallest magnitude of numbers that may mark missing points whatever their digits are, such as the largest number in single
@@ -120,7 +122,7 @@ fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> 
     if let Some(huge) = numbers.clone().find(|&number| is_huge(number)) {
         // Other huge numbers may be further marks.
         let others = numbers.clone().filter(|&number| !is_huge(number));
-        if is_apart(huge, &others)? {
+        if is_apart(huge, &sorted(&others)?) {
             return Ok(Some(huge));
         }
     }
@@ -134,7 +136,7 @@ fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> 
     for (mark, is_present) in MARKS.into_iter().zip(is_present) {
         for mark in [-mark, mark] {
             let others = numbers.clone().filter(|number| !is(mark)(number));
-            if is_present[usize::from(mark > 0.0)] && is_apart(mark, &others)? {
+            if is_present[usize::from(mark > 0.0)] && is_apart(mark, &sorted(&others)?) {
                 return Ok(Some(mark));
             }
         }
@@ -143,29 +145,37 @@ fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> 
         let Some(mark) = numbers.clone().reduce(extreme) else {
             return Ok(None);
         };
-        let others = numbers.clone().filter(|number| !is(mark)(number));
-        // Two levels are a surface without roughness, such as a punch.
-        let has_two_levels = others.clone().reduce(f64::min) == others.clone().reduce(f64::max);
         let is_repeated = numbers.clone().filter(is(mark)).nth(REPEATED - 1).is_some();
-        if is_repeated && !has_two_levels && is_apart(mark, &others)? {
+        if mark == 0.0 || !is_repeated {
+            continue;
+        }
+        let others = sorted(&numbers.clone().filter(|number| !is(mark)(number)))?;
+        let different = others.windows(2).filter(|pair| pair[0] < pair[1]);
+        let is_rough = 2 * different.count() + 2 > others.len();
+        if others.len() >= REPEATED && is_rough && is_apart(mark, &others) {
             return Ok(Some(mark));
         }
     }
     Ok(None)
 }
 
-/// Returns whether a number is farther from the other numbers than four fifths of them are apart.
-fn is_apart<I: Iterator<Item = f64> + Clone>(mark: f64, others: &I) -> Result<bool> {
-    let mut sorted = fallible::with_room(others.clone().count())?;
-    sorted.extend(others.clone());
+/// Returns the numbers in ascending order.
+fn sorted<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Vec<f64>> {
+    let mut sorted = fallible::with_room(numbers.clone().count())?;
+    sorted.extend(numbers.clone());
     sorted.sort_unstable_by(f64::total_cmp);
-    let last = sorted.len().saturating_sub(1);
-    let (Some(low), Some(high)) = (sorted.get(last / 10), sorted.get(last - last / 10)) else {
-        return Ok(false);
+    Ok(sorted)
+}
+
+/// Returns whether a number is farther from the other numbers, which are sorted, than four fifths of them are apart.
+fn is_apart(mark: f64, others: &[f64]) -> bool {
+    let last = others.len().saturating_sub(1);
+    let (Some(low), Some(high)) = (others.get(last / 10), others.get(last - last / 10)) else {
+        return false;
     };
     // Spikes do not widen this range.
-    let nearest = sorted.iter().map(|number| (number - mark).abs());
-    Ok(nearest.fold(f64::INFINITY, f64::min) > high - low)
+    let nearest = others.iter().map(|number| (number - mark).abs());
+    nearest.fold(f64::INFINITY, f64::min) > high - low
 }
 
 /// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or

@@ -266,7 +266,8 @@ fn asc_header_determines_sides_unit_and_missing_points() {
     assert!(plain.as_slice()[2].is_nan() && plain.as_slice()[0] == 1.0);
 }
 
-/// A single largest or smallest height is a spike, and two levels are a punch.
+/// A single largest or smallest height is a spike, the levels of a pattern are equal in many cells, and pressures are zero outside a
+/// contact.
 #[test]
 fn repeated_extreme_heights_are_rejected_as_marks() {
     let csv = |text: &str| io::csv::parse(text.as_bytes(), [1.0, 1.0]);
@@ -283,7 +284,9 @@ fn repeated_extreme_heights_are_rejected_as_marks() {
     }
     for text in [
         "1000 1.5 2\n3 2.5 1\n",
-        "0 0 0 0\n0 0 0 1\n1 1 1 1\n",
+        "2 2 2 2\n2 2 2 1\n1 1 1 1\n",
+        "0.1 0.1 0.1 0.1\n0.3 0.3 0.31 0.31\n",
+        "0 0 0 0\n7 7.5 7.2 8\n",
         "5 5 5 5\n1 2 3 4\n",
     ] {
         assert!(csv(text).is_ok());
