@@ -37,8 +37,8 @@ const MARKS: [f64; 15] = [
 ];
 
 /// Number of equal heights from which the largest or the smallest height may be a mark. A single such height may be a spike. Most of
-/// the other heights must differ from each other, as in a measurement and unlike the levels of a pattern. Zero is no such mark,
-/// because pressures are zero outside a contact.
+/// the other heights must differ from each other, as in a measurement and unlike the levels of a pattern. Zeros are excluded, because
+/// pressures are zero outside a contact.
 const REPEATED: usize = 4;
 
 /// Smallest magnitude of numbers that may mark missing points whatever their digits are, such as the largest number in single

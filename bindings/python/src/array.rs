@@ -181,10 +181,7 @@ pub(crate) fn energies<'py>(
     array: &Array<'py>,
     grid: stickslip::Grid,
 ) -> PyResult<Array<'py>> {
-    let class = py.import("stickslip._arrays")?.getattr("CellEnergies")?;
-    let energies = array.0.call_method1("view", (class,))?;
-    energies.setattr("grid", Grid(grid))?;
-    Ok(Array(energies, PhantomData))
+    with_grid(py, "CellEnergies", array, grid)
 }
 
 /// Returns an array of energies per area, which the wear laws reject, because they divide energies by the area of a cell.
@@ -193,9 +190,19 @@ pub(crate) fn energies_per_area<'py>(
     array: &Array<'py>,
     grid: stickslip::Grid,
 ) -> PyResult<Array<'py>> {
-    let per_area = py.import("stickslip._arrays")?.getattr("per_area")?;
-    let energies = per_area.call1((&array.0, Grid(grid)))?;
-    Ok(Array(energies, PhantomData))
+    with_grid(py, "EnergiesPerArea", array, grid)
+}
+
+/// Returns a view of an array as an array of this class, which contains its grid.
+fn with_grid<'py>(
+    py: Python<'py>,
+    class: &str,
+    array: &Array<'py>,
+    grid: stickslip::Grid,
+) -> PyResult<Array<'py>> {
+    let class = py.import("stickslip._arrays")?.getattr(class)?;
+    let view = class.call_method1("of", (&array.0, Grid(grid)))?;
+    Ok(Array(view, PhantomData))
 }
 
 /// Returns one byte per cell as an array of shape (ny, nx).

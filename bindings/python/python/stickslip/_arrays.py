@@ -32,6 +32,13 @@ class _GridArray(np.ndarray[Any, np.dtype[np.float64]]):
         grid = getattr(source, "grid", None)
         self.grid = grid if grid is not None and grid.shape == self.shape else None
 
+    @classmethod
+    def of(cls, array: NDArray[Any], grid: Grid | None) -> Any:
+        """Returns a view of an array of numbers on this grid."""
+        view = array.view(cls)
+        view.grid = grid
+        return view
+
     def __reduce__(self) -> tuple[Any, ...]:
         reduced: Any = super().__reduce__()
         restore, arguments, state = reduced
@@ -56,10 +63,8 @@ class CellEnergies(_GridArray):
         if array.shape != self.shape or array.dtype != np.float64:
             return np.asarray(array)[()]
         if self._is_divided_by_area(context):
-            return per_area(array, self.grid)
-        energies = array.view(CellEnergies)
-        energies.grid = self.grid
-        return energies
+            return EnergiesPerArea.of(array, self.grid)
+        return CellEnergies.of(array, self.grid)
 
 
 class EnergiesPerArea(_GridArray):
@@ -74,14 +79,5 @@ class EnergiesPerArea(_GridArray):
         grid = self.grid
         if grid is not None and context is not None and context[0] is np.multiply:
             if any(_is_area(given, grid) for given in inputs):
-                energies = array.view(CellEnergies)
-                energies.grid = grid
-                return energies
-        return per_area(array, grid)
-
-
-def per_area(array: NDArray[Any], grid: Grid | None) -> EnergiesPerArea:
-    """Returns a view of an array of energies per area on this grid."""
-    energies = array.view(EnergiesPerArea)
-    energies.grid = grid
-    return energies
+                return CellEnergies.of(array, grid)
+        return EnergiesPerArea.of(array, grid)
